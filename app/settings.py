@@ -1,0 +1,49 @@
+"""Settings, from the environment (``TRACKSWEEP_…``) or their defaults: everything below one data folder."""
+
+from functools import cached_property
+from pathlib import Path
+
+from pydantic import Field
+from pydantic_settings import BaseSettings, SettingsConfigDict
+
+
+class Settings(BaseSettings):
+    """What a process of the service needs to know.
+
+    The URLs left empty are filled from the data folder: SQLite, the embedded broker's socket, a folder of histories.
+    """
+
+    model_config = SettingsConfigDict(env_prefix="TRACKSWEEP_", frozen=True)
+
+    data_dir: Path = Field(default=Path("data"), description="Folder of the embedded database, broker and histories.")
+    database_url: str = Field(default="", description="SQLAlchemy URL; empty for SQLite in the data folder.")
+    broker_url: str = Field(default="", description="Celery broker URL; empty for the embedded broker.")
+    storage_url: str = Field(default="", description="URL of the history store; empty for a folder of the data folder.")
+    host: str = Field(default="127.0.0.1", description="Address the API listens on.")
+    port: int = Field(default=8000, ge=0, le=65535, description="Port the API listens on; 0 for any free one.")
+    workers: int = Field(default=2, ge=1, le=1024, description="Worker processes that `tracksweep serve` runs.")
+    lease_s: float = Field(default=15.0, gt=0, le=3600, description="Time after which a silent worker loses its case.")
+    max_attempts: int = Field(default=3, ge=1, le=100, description="Attempts after which a case counts as poison.")
+    max_cases_per_study: int = Field(default=10_000, ge=1, description="Largest study that is accepted.")
+    max_page_size: int = Field(default=500, ge=1, description="Largest page of a list.")
+    max_body_bytes: int = Field(default=1_000_000, ge=1, description="Largest request body.")
+
+    @cached_property
+    def broker_socket(self) -> Path:
+        """Unix socket of the embedded broker."""
+        return self.data_dir.resolve() / "broker.sock"
+
+    @cached_property
+    def resolved_database_url(self) -> str:
+        """The database to connect to."""
+        return self.database_url or f"sqlite:///{self.data_dir.resolve() / 'tracksweep.db'}"
+
+    @cached_property
+    def resolved_broker_url(self) -> str:
+        """The broker to connect to."""
+        return self.broker_url or f"redis+socket://{self.broker_socket}"
+
+    @cached_property
+    def resolved_storage_url(self) -> str:
+        """The store of histories."""
+        return self.storage_url or (self.data_dir.resolve() / "histories").as_uri()

@@ -1,0 +1,171 @@
+"""What is solved: vehicle, track, irregularity and numerics of one case, in SI units, frozen and checked."""
+
+import hashlib
+import json
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal, get_args
+
+from solver.quantity import Checked, InvalidParameterError, quantity
+
+Slab = Literal["continuous"]
+WheelTread = Literal["worn", "conical"]
+
+
+def _check_choice(parameter: str, value: object, choices: tuple[object, ...]) -> None:
+    if value not in choices:
+        raise InvalidParameterError(parameter, f"must be one of {', '.join(map(str, choices))}, is {value!r}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Vehicle(Checked):
+    """A four-axle car with two suspension stages. Values are of the whole car; the model takes half of each."""
+
+    _path = "vehicle."
+
+    car_body_mass: float = quantity("kg", "mass of the car body", gt=0, le=1e6)
+    car_body_pitch_inertia: float = quantity("kg m^2", "pitch inertia of the car body", gt=0, le=1e9)
+    bogie_mass: float = quantity("kg", "mass of one bogie frame", gt=0, le=1e5)
+    bogie_pitch_inertia: float = quantity("kg m^2", "pitch inertia of one bogie frame", gt=0, le=1e7)
+    wheelset_mass: float = quantity("kg", "mass of one wheelset", gt=0, le=1e5)
+    primary_stiffness: float = quantity("N/m", "primary suspension, vertical, per axle", gt=0, le=1e10)
+    primary_damping: float = quantity("N s/m", "primary suspension, vertical, per axle", ge=0, le=1e8)
+    secondary_stiffness: float = quantity("N/m", "secondary suspension, vertical, per bogie", gt=0, le=1e10)
+    secondary_damping: float = quantity("N s/m", "secondary suspension, vertical, per bogie", ge=0, le=1e8)
+    half_bogie_distance: float = quantity("m", "half the distance between bogie centres", gt=0, le=15)
+    half_wheelbase: float = quantity("m", "half the distance between the axles of a bogie", gt=0, le=3)
+    wheel_radius: float = quantity("m", "wheel radius", gt=0.1, le=1)
+    wheel_tread: WheelTread = "worn"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _check_choice("vehicle.wheel_tread", self.wheel_tread, get_args(WheelTread))
+        if self.half_wheelbase >= self.half_bogie_distance:
+            raise InvalidParameterError(
+                "vehicle.half_wheelbase_m", f"must be less than half_bogie_distance_m = {self.half_bogie_distance:g} m"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Track(Checked):
+    """Rail, slab and concrete base on a roadbed. Values are of one rail and half the slab and base."""
+
+    _path = "track."
+
+    rail_elastic_modulus: float = quantity("Pa", "Young's modulus of the rail", gt=0, le=1e13)
+    rail_second_moment: float = quantity("m^4", "second moment of area of the rail", gt=0, le=1)
+    rail_mass: float = quantity("kg/m", "rail mass per length", gt=0, le=1e4)
+    pad_stiffness: float = quantity("N/m", "stiffness of one rail pad with its fastening", gt=0, le=1e12)
+    pad_damping: float = quantity("N s/m", "damping of one rail pad with its fastening", ge=0, le=1e9)
+    pad_spacing: float = quantity("m", "distance between pads", ge=0.01, le=2)
+    slab_elastic_modulus: float = quantity("Pa", "Young's modulus of the slab", gt=0, le=1e13)
+    slab_second_moment: float = quantity("m^4", "second moment of area of the half slab", gt=0, le=10)
+    slab_mass: float = quantity("kg/m", "mass of the half slab per length", gt=0, le=1e5)
+    mortar_stiffness: float = quantity("N/m^2", "stiffness of the CA mortar per length", gt=0, le=1e18)
+    mortar_damping: float = quantity("N s/m^2", "damping of the CA mortar per length", ge=0, le=1e10)
+    base_elastic_modulus: float = quantity("Pa", "Young's modulus of the concrete base", gt=0, le=1e13)
+    base_second_moment: float = quantity("m^4", "second moment of area of the half base", gt=0, le=10)
+    base_mass: float = quantity("kg/m", "mass of the half base per length", gt=0, le=1e5)
+    roadbed_stiffness: float = quantity("N/m^2", "stiffness of the roadbed per length", gt=0, le=1e18)
+    roadbed_damping: float = quantity("N s/m^2", "damping of the roadbed per length", ge=0, le=1e10)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Smooth:
+    """A perfectly even rail head."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Harmonic(Checked):
+    """``A sin(2 pi x / wavelength)``, positive downwards (Eq. 16 of the article)."""
+
+    _path = "irregularity."
+
+    wavelength: float = quantity("m", "wavelength", ge=0.1, le=200)
+    amplitude: float = quantity("m", "amplitude", ge=0, le=0.02)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spectral(Checked):
+    """One realisation of a power spectral density within a wavelength band."""
+
+    _path = "irregularity."
+
+    spectrum: str = "tb3352-ballastless"
+    percentile: float = quantity("%", "percentile of the spectrum", gt=0, lt=100, default=63.2)
+    wavelength_min: float = quantity("m", "shortest wavelength", ge=0.1, le=200)
+    wavelength_max: float = quantity("m", "longest wavelength", ge=0.1, le=200)
+    seed: int = quantity("", "seed of the random phases", ge=0, lt=2**63, default=1)
+    realisation: int = quantity("", "number of the realisation, from 0", ge=0, lt=2**31, default=0)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.wavelength_min >= self.wavelength_max:
+            raise InvalidParameterError(
+                "irregularity.wavelength_band_m",
+                f"must have min < max, is {self.wavelength_min:g} to {self.wavelength_max:g} m",
+            )
+
+
+Irregularity = Smooth | Harmonic | Spectral
+IRREGULARITY_KINDS: dict[str, type[Irregularity]] = {"none": Smooth, "harmonic": Harmonic, "spectrum": Spectral}
+_KIND_OF = {cls: kind for kind, cls in IRREGULARITY_KINDS.items()}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Numerics(Checked):
+    """Mesh, step and observed time."""
+
+    _path = "numerics."
+
+    track_length: float = quantity("m", "length of track that moves with the vehicle", ge=90, le=1000, default=140.0)
+    elements_per_pad: int = quantity("", "elements of each beam between two pads", ge=2, le=64, default=12)
+    time_step: float = quantity(
+        "s", "largest time step; the step used divides the time from pad to pad", ge=1e-6, le=1e-3, default=1e-4
+    )
+    settle: float = quantity("s", "time computed and discarded before the window", ge=0.3, le=20, default=1.0)
+    window: float = quantity("s", "steady window from which peaks are read", gt=0.01, le=60, default=3.0)
+    ease_in: float = quantity("s", "time over which the irregularity grows to its full height", gt=0, le=5, default=0.2)
+    spectral_radius: float = quantity(
+        "", "spectral radius of the integrator at infinite frequency", ge=0, le=1, default=0.8
+    )
+    absorbing_length: float = quantity("m", "length of each absorbing end", ge=5, le=200, default=24.0)
+    absorbing_damping: float = quantity("N s/m^2", "roadbed damping added at the very ends", ge=0, le=1e9, default=3e6)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case(Checked):
+    """One simulation."""
+
+    speed: float = quantity("m/s", "speed of the train", ge=10 / 3.6, le=600 / 3.6)
+    slab: Slab = "continuous"
+    irregularity: Irregularity
+    track: Track
+    vehicle: Vehicle
+    numerics: Numerics = field(default_factory=Numerics)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _check_choice("slab", self.slab, get_args(Slab))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain numbers, strings and dicts in SI units, from which :meth:`from_dict` gives an equal case."""
+        return asdict(self) | {"irregularity": {"kind": _KIND_OF[type(self.irregularity)], **asdict(self.irregularity)}}
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "Case":
+        """The case of a :meth:`to_dict`."""
+        irregularity = dict(data["irregularity"])
+        kind = irregularity.pop("kind")
+        return cls(
+            speed=data["speed"],
+            slab=data["slab"],
+            irregularity=IRREGULARITY_KINDS[kind](**irregularity),
+            track=Track(**data["track"]),
+            vehicle=Vehicle(**data["vehicle"]),
+            numerics=Numerics(**data["numerics"]),
+        )
+
+    def digest(self) -> str:
+        """SHA-256, as 64 hexadecimal digits, of the canonical JSON: equal for equal physics, on any machine."""
+        canonical = json.dumps(self.to_dict(), sort_keys=True, separators=(",", ":"), allow_nan=False)
+        return hashlib.sha256(canonical.encode()).hexdigest()
