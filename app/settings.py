@@ -1,10 +1,16 @@
 """Settings, from the environment (``TRACKSWEEP_…``) or their defaults: everything below one data folder."""
 
+import hashlib
+import os
+import tempfile
 from functools import cached_property
 from pathlib import Path
+from urllib.parse import quote
 
 from pydantic import Field
 from pydantic_settings import BaseSettings, SettingsConfigDict
+
+LONGEST_SOCKET_PATH = 100  # bytes; Linux takes 107, macOS 103
 
 
 class Settings(BaseSettings):
@@ -21,7 +27,7 @@ class Settings(BaseSettings):
     storage_url: str = Field(default="", description="URL of the history store; empty for a folder of the data folder.")
     host: str = Field(default="127.0.0.1", description="Address the API listens on.")
     port: int = Field(default=8000, ge=0, le=65535, description="Port the API listens on; 0 for any free one.")
-    workers: int = Field(default=2, ge=1, le=1024, description="Worker processes that `tracksweep serve` runs.")
+    workers: int = Field(default=2, ge=0, le=1024, description="Worker processes that `tracksweep serve` runs.")
     lease_s: float = Field(default=15.0, gt=0, le=3600, description="Time after which a silent worker loses its case.")
     max_attempts: int = Field(default=3, ge=1, le=100, description="Attempts after which a case counts as poison.")
     max_cases_per_study: int = Field(default=10_000, ge=1, description="Largest study that is accepted.")
@@ -30,18 +36,22 @@ class Settings(BaseSettings):
 
     @cached_property
     def broker_socket(self) -> Path:
-        """Unix socket of the embedded broker."""
-        return self.data_dir.resolve() / "broker.sock"
+        """Unix socket of the embedded broker: in the data folder or, if that path is too long, among temporary files."""
+        path = os.fsencode(self.data_dir.resolve() / "broker.sock")
+        if len(path) <= LONGEST_SOCKET_PATH:
+            return Path(os.fsdecode(path))
+        private = f"tracksweep-{os.getuid()}-{hashlib.sha256(path).hexdigest()[:16]}"
+        return Path(tempfile.gettempdir()) / private / "broker.sock"
 
     @cached_property
     def resolved_database_url(self) -> str:
         """The database to connect to."""
-        return self.database_url or f"sqlite:///{self.data_dir.resolve() / 'tracksweep.db'}"
+        return self.database_url or f"sqlite:///{quote(str(self.data_dir.resolve()))}/tracksweep.db"
 
     @cached_property
     def resolved_broker_url(self) -> str:
         """The broker to connect to."""
-        return self.broker_url or f"redis+socket://{self.broker_socket}"
+        return self.broker_url or f"redis+socket://{quote(str(self.broker_socket))}"
 
     @cached_property
     def resolved_storage_url(self) -> str:

@@ -1,0 +1,74 @@
+# Two commands need nothing but Python 3.11 or later with pip: `make demo` and `make test`.
+# They install uv (pinned) in .uv/ and the locked dependencies in .venv/, once; later runs need no network.
+
+.DEFAULT_GOAL := help
+SHELL := /bin/sh
+UV_VERSION := 0.13.9
+UV := .uv/$(UV_VERSION)
+INSTALLED := .venv/.installed
+RUN := .venv/bin/python -m
+
+SUITABLE := import sys, pip; sys.exit(sys.version_info < (3, 11))
+PYTHON ?= $(shell for p in python3.11 python3 python3.12 python3.13 python; do \
+	$$p -c '$(SUITABLE)' >/dev/null 2>&1 && { echo $$p; break; }; done)
+
+# The environment is this folder's own, whatever the caller's shell has activated.
+unexport VIRTUAL_ENV UV_PROJECT_ENVIRONMENT UV_PROJECT PYTHONPATH PYTHONHOME
+export UV_PYTHON_DOWNLOADS := never
+export UV_NO_PROGRESS := 1
+export UV_SYSTEM_CERTS ?= $(if $(wildcard /etc/ssl/certs/*),true,false)
+export PIP_USER := 0
+export PIP_REQUIRE_VIRTUALENV := 0
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export PIP_ROOT_USER_ACTION := ignore
+
+# Caches of uv, Numba and Matplotlib live in the home folder; an account without one gets one here.
+ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
+export HOME := $(CURDIR)/.home
+endif
+
+.PHONY: help install demo test test-slow lint format bench serve clean
+
+help:  ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' Makefile
+
+install: $(INSTALLED)  ## install the locked dependencies in .venv/
+
+demo: $(INSTALLED)  ## serve, run a small study over HTTP, print and draw its peaks
+	@$(RUN) examples.demo
+
+test: lint  ## lint, types and every test that is not slow
+	@$(RUN) pytest -m "not slow"
+
+test-slow: $(INSTALLED)  ## the proofs that take long
+	@$(RUN) pytest -m slow
+
+lint: $(INSTALLED)  ## ruff, mypy and the import contracts
+	@$(RUN) ruff check
+	@$(RUN) ruff format --check
+	@$(RUN) mypy
+	@.venv/bin/lint-imports
+
+format: $(INSTALLED)  ## let ruff format and fix what it can
+	@$(RUN) ruff format
+	@$(RUN) ruff check --fix
+
+bench: $(INSTALLED)  ## time the solver
+	@$(RUN) benchmarks
+
+serve: $(INSTALLED)  ## run the whole service on the folder data/
+	@.venv/bin/tracksweep serve
+
+clean:  ## remove what was installed and generated; data/ stays
+	rm -rf .uv .venv .home demo .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(UV)/bin/uv:
+	@test -n "$(PYTHON)" || { echo "Python 3.11 or later with pip is needed; name one by make PYTHON=..." >&2; exit 1; }
+	@echo "Installing uv $(UV_VERSION) in $(UV) ..."
+	@$(PYTHON) -m pip install --quiet --upgrade --target $(UV) uv==$(UV_VERSION)
+
+$(INSTALLED): pyproject.toml uv.lock | $(UV)/bin/uv
+	@echo "Installing the locked dependencies in .venv ..."
+	@$(UV)/bin/uv sync --frozen --quiet --python "$$($(PYTHON) -c 'import sys; print(sys.executable)')"
+	@touch $@
