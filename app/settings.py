@@ -36,7 +36,7 @@ class Settings(BaseSettings):
 
     @cached_property
     def broker_socket(self) -> Path:
-        """Unix socket of the embedded broker: in the data folder or, if that path is too long, among temporary files."""
+        """Unix socket of the embedded broker: in the data folder or, if too long a path, among temporary files."""
         path = os.fsencode(self.data_dir.resolve() / "broker.sock")
         if len(path) <= LONGEST_SOCKET_PATH:
             return Path(os.fsdecode(path))

@@ -1,0 +1,162 @@
+"""Keep a handful of processes running: start them in order, restart what ends, stop all of them together."""
+
+import asyncio
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from contextlib import AsyncExitStack, asynccontextmanager, suppress
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import cast
+
+import structlog
+
+log = structlog.get_logger()
+
+FIRST_PAUSE_S, LONGEST_PAUSE_S = 0.2, 10.0
+STEADY_S = 30.0  # a part that ran this long starts its pauses anew
+READY_TIMEOUT_S = 60.0
+READY_ATTEMPTS = 3
+STOP_TIMEOUT_S = 5.0
+STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+PR_SET_PDEATHSIG = 1
+_libc = ctypes.CDLL(None)  # loaded here: little is safe between fork and exec
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """One process of the service.
+
+    Attributes
+    ----------
+    name : str
+    command : sequence of str
+    ready : callable, optional
+        Whether the part does its work by now; asked until true before the next stage starts.
+    pass_fds : sequence of int
+        File descriptors the process inherits.
+    """
+
+    name: str
+    command: Sequence[str]
+    ready: Callable[[], Awaitable[bool]] | None = None
+    pass_fds: Sequence[int] = ()
+
+
+class PartFailedError(Exception):
+    """A part that does not come up."""
+
+
+def _die_with(parent: int) -> None:
+    """Have the kernel kill this process when its parent ends, however that ends (Linux)."""
+    _libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    if os.getppid() != parent:  # it ended before the call
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
+class Keeper:
+    """Keeps one part running and its output in a file."""
+
+    def __init__(self, part: Part, log_file: Path) -> None:
+        self.part = part
+        self.log_file = log_file
+        self.endings = 0
+        self._log = log.bind(part=part.name)
+
+    async def keep(self) -> None:
+        """Run the part again and again, until cancelled."""
+        pause = FIRST_PAUSE_S
+        while True:
+            started = time.monotonic()
+            code = await self._run_once()
+            self.endings += 1
+            if time.monotonic() - started > STEADY_S:
+                pause = FIRST_PAUSE_S
+            self._log.warning("part ended, will be restarted", exit_code=code, pause_s=pause, log=str(self.log_file))
+            await asyncio.sleep(pause)
+            pause = min(2 * pause, LONGEST_PAUSE_S)
+
+    async def wait_until_ready(self) -> None:
+        """Return once the part is ready; raise PartFailedError when it will not be."""
+        deadline = time.monotonic() + READY_TIMEOUT_S
+        while self.part.ready is not None and not await self.part.ready():
+            if self.endings >= READY_ATTEMPTS or time.monotonic() > deadline:
+                raise PartFailedError(f"{self.part.name} does not start.\n{self._last_lines()}")
+            await asyncio.sleep(0.05)
+
+    async def _run_once(self) -> int:
+        with self.log_file.open("ab") as output:
+            process = await asyncio.create_subprocess_exec(
+                *self.part.command,
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=output,
+                pass_fds=self.part.pass_fds,
+                start_new_session=True,  # the terminal's Ctrl-C is for the supervisor alone
+                preexec_fn=partial(_die_with, os.getpid()) if sys.platform == "linux" else None,
+            )
+        self._log.info("part started", pid=process.pid)
+        try:
+            return await process.wait()
+        finally:
+            await self._end(process)
+
+    async def _end(self, process: asyncio.subprocess.Process) -> None:
+        if process.returncode is None:
+            process.terminate()
+            with suppress(TimeoutError):
+                await asyncio.wait_for(process.wait(), STOP_TIMEOUT_S)
+                self._log.info("part stopped", exit_code=process.returncode)
+        with suppress(ProcessLookupError):  # the part, if it would not stop, and whatever it started
+            os.killpg(process.pid, signal.SIGKILL)
+        await process.wait()
+
+    def _last_lines(self) -> str:
+        lines = self.log_file.read_text(errors="replace").splitlines()[-20:]
+        return "\n".join([f"The end of {self.log_file}:", *(f"  {line}" for line in lines)])
+
+
+@asynccontextmanager
+async def _stage(parts: Sequence[Part], logs: Path) -> AsyncIterator[None]:
+    """Parts that start and stop side by side."""
+    keepers = [Keeper(part, logs / f"{part.name}.log") for part in parts]
+    tasks = [asyncio.create_task(keeper.keep()) for keeper in keepers]
+    try:
+        await asyncio.gather(*(keeper.wait_until_ready() for keeper in keepers))
+        yield
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+
+
+async def supervise(stages: Sequence[Sequence[Part]], logs: Path, on_ready: Callable[[], None]) -> None:
+    """Start the stages one after another and keep them up until a signal; then stop them in reverse order.
+
+    Raises
+    ------
+    PartFailedError
+        If a part does not become ready; those that run are stopped before.
+    """
+    loop, this = asyncio.get_running_loop(), cast("asyncio.Task[None]", asyncio.current_task())
+
+    def stop(number: signal.Signals) -> None:
+        log.info("stopping", signal=number.name)
+        for each in STOP_SIGNALS:  # one is enough: all that follows has a time limit
+            loop.add_signal_handler(each, lambda: None)
+        this.cancel()
+
+    for number in STOP_SIGNALS:
+        loop.add_signal_handler(number, stop, number)
+    with suppress(asyncio.CancelledError):
+        async with AsyncExitStack() as running:
+            for parts in stages:
+                await running.enter_async_context(_stage(parts, logs))
+            on_ready()
+            await loop.create_future()
