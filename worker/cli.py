@@ -1,10 +1,12 @@
 """``tracksweep``: one program for people and scripts. Exit codes: 0 done, 1 the work failed, 2 wrong usage."""
 
 import os
+from pathlib import Path
+from typing import Annotated
 
 import typer
 
-from app.cli import service
+from app.cli import load_settings, service
 
 program = typer.Typer(
     name="tracksweep",
@@ -14,6 +16,34 @@ program = typer.Typer(
     pretty_exceptions_enable=False,
 )
 program.add_typer(service)
+
+
+@program.command()
+def solve(
+    case: Annotated[Path, typer.Argument(metavar="CASE.json", help="One case: single values of what a study varies.")],
+    out: Annotated[Path | None, typer.Option(metavar="FILE.npz", help="Where to keep the time histories.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Solve one case here and now, without a service, and print its peaks."""
+    from worker.solve import run
+
+    run(case, out, as_json)
+
+
+@program.command()
+def migrate() -> None:
+    """Bring the database to the schema of this release."""
+    from sqlalchemy.exc import SQLAlchemyError
+
+    import migrations
+    from app.console import fail
+
+    settings = load_settings()
+    settings.data_dir.mkdir(mode=0o700, parents=True, exist_ok=True)
+    try:
+        migrations.upgrade(settings.resolved_database_url)
+    except SQLAlchemyError as error:
+        fail(error)
 
 
 @program.command()

@@ -1,4 +1,4 @@
-"""The supervisor with small parts: what ends is restarted, what will not start is told, what will not stop is killed."""
+"""The supervisor on small parts: what ends is restarted, what will not start is told, what will not stop is killed."""
 
 import asyncio
 import contextlib
