@@ -2,10 +2,15 @@
 
 import hashlib
 import json
+import math
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal, get_args
 
 from solver.quantity import Checked, InvalidParameterError, quantity
+
+CLEARANCE = 6.0  # m of track between the outer wheels and the absorbing ends
+MAX_PHASES = 2000  # steps from pad to pad: each has its own factors in memory
+MIN_STEPS = 10  # steps per pad spacing and per shortest wavelength
 
 Slab = Literal["continuous"]
 WheelTread = Literal["worn", "conical"]
@@ -73,6 +78,11 @@ class Track(Checked):
 class Smooth:
     """A perfectly even rail head."""
 
+    @property
+    def shortest_wavelength(self) -> float:
+        """Shortest wavelength contained, m."""
+        return math.inf
+
 
 @dataclass(frozen=True, kw_only=True)
 class Harmonic(Checked):
@@ -82,6 +92,11 @@ class Harmonic(Checked):
 
     wavelength: float = quantity("m", "wavelength", ge=0.1, le=200)
     amplitude: float = quantity("m", "amplitude", ge=0, le=0.02)
+
+    @property
+    def shortest_wavelength(self) -> float:
+        """Shortest wavelength contained, m."""
+        return self.wavelength
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,6 +119,11 @@ class Spectral(Checked):
                 "irregularity.wavelength_band_m",
                 f"must have min < max, is {self.wavelength_min:g} to {self.wavelength_max:g} m",
             )
+
+    @property
+    def shortest_wavelength(self) -> float:
+        """Shortest wavelength contained, m."""
+        return self.wavelength_min
 
 
 Irregularity = Smooth | Harmonic | Spectral
@@ -147,6 +167,54 @@ class Case(Checked):
         super().__post_init__()
         _check_choice("slab", self.slab, get_args(Slab))
 
+        self._check_domain()
+        self._check_step()
+
+    @property
+    def phases(self) -> int:
+        """Time steps from pad to pad."""
+        return max(1, math.ceil(self.track.pad_spacing / (self.speed * self.numerics.time_step) - 1e-9))
+
+    @property
+    def time_step(self) -> float:
+        """The step used, s: the time from pad to pad divided by a whole number."""
+        return self.track.pad_spacing / (self.speed * self.phases)
+
+    @property
+    def cells(self) -> int:
+        """Pad spacings in the moving track."""
+        return math.floor(self.numerics.track_length / self.track.pad_spacing + 1e-9)
+
+    @property
+    def absorbing_cells(self) -> int:
+        """Pad spacings in each absorbing end."""
+        return max(1, round(self.numerics.absorbing_length / self.track.pad_spacing))
+
+    def _check_domain(self) -> None:
+        overhang = self.vehicle.half_bogie_distance + self.vehicle.half_wheelbase + CLEARANCE
+        shortest = 2 * (overhang + self.absorbing_cells * self.track.pad_spacing)
+        if self.cells * self.track.pad_spacing < shortest:
+            raise InvalidParameterError(
+                "numerics.track_length_m",
+                f"must hold the vehicle, {CLEARANCE:g} m on either side and the absorbing ends: at least "
+                f"{shortest + self.track.pad_spacing:.2f} m, is {self.numerics.track_length:g} m",
+            )
+
+    def _check_step(self) -> None:
+        if self.phases > MAX_PHASES:
+            raise InvalidParameterError(
+                "numerics.time_step_s",
+                f"must be at least {self.track.pad_spacing / (self.speed * MAX_PHASES):.3g} s at this speed "
+                f"({MAX_PHASES} steps from pad to pad), is {self.numerics.time_step:g} s",
+            )
+        coarsest = min(self.track.pad_spacing, self.irregularity.shortest_wavelength) / MIN_STEPS
+        if self.speed * self.time_step > coarsest:
+            raise InvalidParameterError(
+                "numerics.time_step_s",
+                f"must be at most {coarsest / self.speed:.3g} s at this speed to resolve pads and irregularity "
+                f"({MIN_STEPS} steps each), is {self.numerics.time_step:g} s",
+            )
+
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers, strings and dicts in SI units, from which :meth:`from_dict` gives an equal case."""
         return asdict(self) | {"irregularity": {"kind": _KIND_OF[type(self.irregularity)], **asdict(self.irregularity)}}
@@ -165,7 +233,22 @@ class Case(Checked):
             numerics=Numerics(**data["numerics"]),
         )
 
+    def operator_key(self) -> str:
+        """SHA-256 of what cases must share to be solved side by side: track, speed, slab, numerics, axle positions."""
+        shared = {
+            "track": asdict(self.track),
+            "speed": self.speed,
+            "slab": self.slab,
+            "numerics": asdict(self.numerics),
+            "axles": [self.vehicle.half_bogie_distance, self.vehicle.half_wheelbase],
+        }
+        return _sha256(shared)
+
     def digest(self) -> str:
         """SHA-256, as 64 hexadecimal digits, of the canonical JSON: equal for equal physics, on any machine."""
-        canonical = json.dumps(self.to_dict(), sort_keys=True, separators=(",", ":"), allow_nan=False)
-        return hashlib.sha256(canonical.encode()).hexdigest()
+        return _sha256(self.to_dict())
+
+
+def _sha256(data: dict[str, Any]) -> str:
+    canonical = json.dumps(data, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(canonical.encode()).hexdigest()

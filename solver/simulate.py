@@ -1,12 +1,17 @@
 """The one door of the solver: cases in, responses out."""
 
+from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.block import MAX_LANES, Block
 from solver.case import Case
+from solver.channels import CHANNELS, Channel
+
+CHUNK = 400  # steps between two reports of progress
 
 
 class SolverError(Exception):
@@ -19,15 +24,6 @@ class DivergedError(SolverError):
     """The response of a case grew beyond all bounds or stopped being a number."""
 
     code = "diverged"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Channel:
-    """What one column of a response holds."""
-
-    quantity: str
-    position: str
-    unit: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,4 +69,45 @@ def solve(cases: Sequence[Case], on_progress: Progress | None = None) -> list[Re
     list of Response or SolverError
         One per case, in their order: a case that fails does not take its neighbours with it.
     """
-    raise NotImplementedError
+    groups: dict[str, list[int]] = defaultdict(list)
+    for index, case in enumerate(cases):
+        groups[case.operator_key()].append(index)
+    blocks = [group[i : i + MAX_LANES] for group in groups.values() for i in range(0, len(group), MAX_LANES)]
+    outcomes: dict[int, Response | SolverError] = {}
+    for number, indices in enumerate(blocks):
+
+        def report(fraction: float, number: int = number) -> None:
+            if on_progress is not None:
+                on_progress((number + fraction) / len(blocks))
+
+        block = Block([cases[index] for index in indices])
+        outcomes.update(zip(indices, _run(block, len(indices), report), strict=True))
+    return [outcomes[index] for index in range(len(cases))]
+
+
+def _run(block: Block, count: int, report: Progress) -> list[Response | SolverError]:
+    """March a block to its end and cut out the window of its first ``count`` lanes."""
+    values = np.empty((count, len(CHANNELS), block.window_steps))
+    report(0.0)
+    while block.done < block.steps and not block.state.failed.all():
+        first = block.done
+        out = block.advance(CHUNK)
+        begin = first - block.settle_steps
+        kept = out[max(0, -begin) :, :count]
+        values[:, :, max(0, begin) : max(0, begin) + len(kept)] = kept.transpose(1, 2, 0)
+        report(block.done / block.steps)
+    step = np.arange(1, block.window_steps + 1)
+    position = block.track_position(block.settle_steps + step)
+    return [
+        DivergedError("the response grew without bounds; a shorter time step or another integrator may hold it")
+        if block.state.failed[lane]
+        else Response(
+            case=block.cases[lane],
+            time=step * block.case.time_step,
+            track_position=position,
+            channels=CHANNELS,
+            values=values[lane],
+            time_step=block.case.time_step,
+        )
+        for lane in range(count)
+    ]

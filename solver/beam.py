@@ -1,0 +1,74 @@
+"""Cubic Hermite beam elements: shape functions and their integrals.
+
+An element of length l between two nodes carries the values ``(u1, u1', u2, u2')``.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+# Shape functions on 0 <= xi <= 1; those of the slopes still to be multiplied by l.
+_SHAPES = [Polynomial(c) for c in ([1, 0, -3, 2], [0, 1, -2, 1], [0, 0, 3, -2], [0, 0, -1, 1])]
+
+
+def hermite(xi: float | Array, length: float, derivative: int = 0) -> Array:
+    """Shape functions or their derivatives with respect to position.
+
+    Parameters
+    ----------
+    xi : float or ndarray
+        Position inside the element, 0 to 1.
+    length : float
+        Length of the element, m.
+    derivative : int
+        Order of the derivative.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+    """
+    scale = np.array([1.0, length, 1.0, length]) / length**derivative
+    return np.stack([np.asarray(n.deriv(derivative)(xi), float) for n in _SHAPES], axis=-1) * scale
+
+
+@dataclass(frozen=True)
+class HermiteElement:
+    """Integrals over one element, each of shape (4, 4) and exact."""
+
+    length: float
+
+    def _integral(self, left: int, right: int) -> Array:
+        points, weights = np.polynomial.legendre.leggauss(4)  # exact to degree 7, the products have 6
+        xi = (points + 1) / 2
+        n, m = hermite(xi, self.length, left), hermite(xi, self.length, right)
+        return np.einsum("g,gi,gj->ij", weights * self.length / 2, n, m)
+
+    @cached_property
+    def mass(self) -> Array:
+        """Integral of N'N, with ' the transpose."""
+        return self._integral(0, 0)
+
+    @cached_property
+    def gradient(self) -> Array:
+        """Integral of N' dN/dr."""
+        return self._integral(0, 1)
+
+    @cached_property
+    def stretch(self) -> Array:
+        """Integral of dN/dr' dN/dr."""
+        return self._integral(1, 1)
+
+    @cached_property
+    def bending(self) -> Array:
+        """Integral of d2N/dr2' d2N/dr2."""
+        return self._integral(2, 2)
+
+    @cached_property
+    def convection(self) -> Array:
+        """Integral of N' dN/dr - dN/dr' N: skew, so that motion of the frame creates no energy."""
+        return self.gradient - self.gradient.T

@@ -1,0 +1,38 @@
+"""What a response records: the order of the channels, with quantity, position and unit."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, kw_only=True)
+class Channel:
+    """What one column of a response holds."""
+
+    quantity: str
+    position: str
+    unit: str
+
+
+WHEELSETS = tuple(f"wheelset_{i}" for i in (1, 2, 3, 4))
+
+
+def _channels(quantity: str, unit: str, *positions: str) -> tuple[Channel, ...]:
+    return tuple(Channel(quantity=quantity, position=position, unit=unit) for position in positions)
+
+
+# The order in which solver.march writes them. Track quantities are those under the first wheelset.
+CHANNELS: tuple[Channel, ...] = (
+    *_channels("wheel_rail_force", "N", *WHEELSETS),
+    *_channels("rail_displacement", "m", WHEELSETS[0]),
+    *_channels("rail_acceleration", "m/s^2", WHEELSETS[0]),
+    *_channels("rail_acceleration_moving_frame", "m/s^2", WHEELSETS[0]),
+    *_channels("slab_displacement", "m", WHEELSETS[0]),
+    *_channels("slab_acceleration", "m/s^2", WHEELSETS[0]),
+    *_channels("base_displacement", "m", WHEELSETS[0]),
+    *_channels("base_acceleration", "m/s^2", WHEELSETS[0]),
+    *_channels("car_body_acceleration", "m/s^2", "car_body"),
+    *_channels("bogie_acceleration", "m/s^2", "bogie_1", "bogie_2"),
+    *_channels("wheelset_acceleration", "m/s^2", *WHEELSETS),
+)
+FORCES = slice(0, 4)
+TRACK = 4  # first of the seven track channels
+BODIES = 11  # first of the vehicle's accelerations

@@ -1,0 +1,229 @@
+"""Compiled passes over the track's state, all lanes at once.
+
+``advance`` turns the displacements just solved for into the right-hand side of the next step, in one pass: the
+state between two steps is the pair of predictors (see :mod:`solver.integrator`), accelerations are never stored.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from solver.banded import Array
+from solver.beam import HermiteElement
+from solver.integrator import Integrator
+from solver.simd import add, fma, load, scale, store, subtract, zero
+from solver.track import NODE, TrackModel
+
+
+class Stencils(NamedTuple):
+    """The constant part of ``M p + C q`` and what varies along the track.
+
+    A stencil holds ten numbers: two of a node on itself, four of a node on the next one, four on the one before.
+    """
+
+    mass: Array  # (10,), to be multiplied by mass or damping per length
+    convection: Array  # (3, 10), times -m V of each beam
+    inertia: Array  # (3,) mass per length of rail, slab, base
+    mortar_damping: float
+    roadbed_damping: float
+    pad_damping: float
+    element_mass: Array  # (4, 4)
+    absorption: Array  # (elements,) roadbed damping added
+    spread_damping: Array  # (elements,) pad damping per length where pads are spread
+    end_elements: NDArray[np.int64]
+    first_pad_cell: int
+    pad_cells: int
+    elements_per_pad: int
+    pad_element: NDArray[np.int64]  # (phases,)
+    pad_weights: Array  # (phases, 4)
+
+
+def stencils(model: TrackModel) -> Stencils:
+    """Stencils of a track."""
+    t, e, speed = model.case.track, model.element, model.case.speed
+    inertia = np.array([t.rail_mass, t.slab_mass, t.base_mass])
+    per_cell = model.case.numerics.elements_per_pad
+    is_end = np.repeat(model.spread_pads, per_cell)
+    pads = [model.pad_location(phase) for phase in range(model.case.phases)]
+    return Stencils(
+        mass=_mass_stencil(e),
+        convection=-speed * inertia[:, None] * _convection_stencil(e),
+        inertia=inertia,
+        mortar_damping=t.mortar_damping,
+        roadbed_damping=t.roadbed_damping,
+        pad_damping=t.pad_damping,
+        element_mass=e.mass,
+        absorption=model.absorption,
+        spread_damping=is_end * (t.pad_damping / t.pad_spacing),
+        end_elements=np.flatnonzero(is_end),
+        first_pad_cell=model.absorbing_cells,
+        pad_cells=model.cells - 2 * model.absorbing_cells,
+        elements_per_pad=per_cell,
+        pad_element=np.array([element for element, _ in pads]),
+        pad_weights=np.array([model.shape(xi) for _, xi in pads]),
+    )
+
+
+def _mass_stencil(element: HermiteElement) -> Array:
+    m = element.mass
+    return np.r_[m[0, 0] + m[2, 2], m[1, 1] + m[3, 3], m[2:, :2].ravel(), m[:2, 2:].ravel()]
+
+
+def _convection_stencil(element: HermiteElement) -> Array:
+    c = element.convection  # skew: a node acts on itself only from value to slope and back
+    return np.r_[c[0, 1] + c[2, 3], c[1, 0] + c[3, 2], c[2:, :2].ravel(), c[:2, 2:].ravel()]
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _spread(m, g, s0, s1, q0, q1):  # type: ignore[no-untyped-def]  # vectors have no Python type
+    """What a beam's node adds to the node before, itself and the node after, for ``mass s + convection q``."""
+    before0 = fma(m[6], s0, fma(m[7], s1, fma(g[6], q0, scale(g[7], q1))))
+    before1 = fma(m[8], s0, fma(m[9], s1, fma(g[8], q0, scale(g[9], q1))))
+    own0 = fma(m[0], s0, scale(g[0], q1))
+    own1 = fma(m[1], s1, scale(g[1], q0))
+    after0 = fma(m[2], s0, fma(m[3], s1, fma(g[2], q0, scale(g[3], q1))))
+    after1 = fma(m[4], s0, fma(m[5], s1, fma(g[4], q0, scale(g[5], q1))))
+    return before0, before1, own0, own1, after0, after1
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _step(k, x, u, v, row, lanes):  # type: ignore[no-untyped-def]
+    """Update the predictors of one row; return its p and q."""
+    pu = load(u, row, lanes)
+    displacement = load(x, row, lanes)
+    acceleration = scale(k.acceleration, subtract(displacement, pu))
+    velocity = fma(k.velocity, acceleration, load(v, row, lanes))
+    pu = fma(k.step, velocity, fma(k.drift, acceleration, displacement))
+    pv = fma(k.kick, acceleration, velocity)
+    store(u, row, pu)
+    store(v, row, pv)
+    return fma(-k.alpha, acceleration, scale(k.inertia, pu)), subtract(scale(k.damping, pu), pv)
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array, r: Array, lanes: tuple[float, ...]) -> None:
+    """One step's solution to the next step's right-hand side.
+
+    Parameters
+    ----------
+    k : Integrator
+    c : Stencils
+    phase : int
+        Phase of the next step.
+    x : ndarray, shape (unknowns, lanes)
+        Displacements at the end of the step.
+    u, v : ndarray, shape (unknowns, lanes)
+        Predictors of displacement and velocity, updated.
+    r : ndarray, shape (unknowns, lanes)
+        Right-hand side of the next step, without the wheels; may be ``x``.
+    lanes : tuple of float
+        As many as there are lanes.
+    """
+    none = zero(lanes)
+    # What waits for the node before (h) and what the node before left for this one (a): w, w', z, z', y, y'.
+    h0 = h1 = h2 = h3 = h4 = h5 = none
+    a0 = a1 = a2 = a3 = a4 = a5 = none
+    nodes = x.shape[0] // NODE
+    for node in range(nodes):
+        row = NODE * node
+        p0, q0 = _step(k, x, u, v, row, lanes)
+        p1, q1 = _step(k, x, u, v, row + 1, lanes)
+        b0, b1, o0, o1, n0, n1 = _spread(
+            c.mass, c.convection[0], scale(c.inertia[0], p0), scale(c.inertia[0], p1), q0, q1
+        )
+        p2, q2 = _step(k, x, u, v, row + 2, lanes)
+        p3, q3 = _step(k, x, u, v, row + 3, lanes)
+        p4, q4 = _step(k, x, u, v, row + 4, lanes)
+        p5, q5 = _step(k, x, u, v, row + 5, lanes)
+        d0 = scale(c.mortar_damping, subtract(q2, q4))
+        d1 = scale(c.mortar_damping, subtract(q3, q5))
+        b2, b3, o2, o3, n2, n3 = _spread(
+            c.mass, c.convection[1], fma(c.inertia[1], p2, d0), fma(c.inertia[1], p3, d1), q2, q3
+        )
+        s4 = subtract(fma(c.inertia[2], p4, scale(c.roadbed_damping, q4)), d0)
+        s5 = subtract(fma(c.inertia[2], p5, scale(c.roadbed_damping, q5)), d1)
+        b4, b5, o4, o5, n4, n5 = _spread(c.mass, c.convection[2], s4, s5, q4, q5)
+        if node > 0:
+            store(r, row - 6, add(h0, b0))
+            store(r, row - 5, add(h1, b1))
+            store(r, row - 4, add(h2, b2))
+            store(r, row - 3, add(h3, b3))
+            store(r, row - 2, add(h4, b4))
+            store(r, row - 1, add(h5, b5))
+        h0, h1, h2, h3, h4, h5 = add(a0, o0), add(a1, o1), add(a2, o2), add(a3, o3), add(a4, o4), add(a5, o5)
+        a0, a1, a2, a3, a4, a5 = n0, n1, n2, n3, n4, n5
+    row = NODE * (nodes - 1)
+    store(r, row, h0)
+    store(r, row + 1, h1)
+    store(r, row + 2, h2)
+    store(r, row + 3, h3)
+    store(r, row + 4, h4)
+    store(r, row + 5, h5)
+    _add_ends(k, c, u, v, r, lanes)
+    _add_pads(k, c, phase, u, v, r, lanes)
+    for i in range(NODE):
+        store(r, i, none)
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _q(k, u, v, row, lanes):  # type: ignore[no-untyped-def]
+    return subtract(scale(k.damping, load(u, row, lanes)), load(v, row, lanes))
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _stretch(k, u, v, row, lanes):  # type: ignore[no-untyped-def]
+    """q of the rail relative to the slab."""
+    return subtract(_q(k, u, v, row, lanes), _q(k, u, v, row + 2, lanes))
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _accumulate(r, row, factor, vector, lanes):  # type: ignore[no-untyped-def]
+    store(r, row, fma(factor, vector, load(r, row, lanes)))
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _add_ends(k, c, u, v, r, lanes):  # type: ignore[no-untyped-def]
+    """Spread pads and absorption."""
+    m = c.element_mass
+    for element in c.end_elements:
+        row = NODE * element
+        t0, t1 = _stretch(k, u, v, row, lanes), _stretch(k, u, v, row + 1, lanes)
+        y0, y1 = _q(k, u, v, row + 4, lanes), _q(k, u, v, row + 5, lanes)
+        t2 = t3 = y2 = y3 = zero(lanes)
+        targets = 2  # the node after the last is clamped and left out
+        if row + NODE < r.shape[0]:
+            t2, t3 = _stretch(k, u, v, row + 6, lanes), _stretch(k, u, v, row + 7, lanes)
+            y2, y3 = _q(k, u, v, row + 10, lanes), _q(k, u, v, row + 11, lanes)
+            targets = 4
+        for i in range(targets):
+            target = row + NODE * (i // 2) + i % 2
+            pads = fma(m[i, 0], t0, fma(m[i, 1], t1, fma(m[i, 2], t2, scale(m[i, 3], t3))))
+            roadbed = fma(m[i, 0], y0, fma(m[i, 1], y1, fma(m[i, 2], y2, scale(m[i, 3], y3))))
+            _accumulate(r, target, c.spread_damping[element], pads, lanes)
+            _accumulate(r, target + 2, -c.spread_damping[element], pads, lanes)
+            _accumulate(r, target + 4, c.absorption[element], roadbed, lanes)
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def _add_pads(k, c, phase, u, v, r, lanes):  # type: ignore[no-untyped-def]
+    """Dampers of the pads at a phase."""
+    n = c.pad_weights[phase]
+    for cell in range(c.first_pad_cell, c.first_pad_cell + c.pad_cells):
+        row = NODE * (cell * c.elements_per_pad + c.pad_element[phase])
+        stretch = fma(n[0], _stretch(k, u, v, row, lanes), scale(n[1], _stretch(k, u, v, row + 1, lanes)))
+        stretch = fma(n[2], _stretch(k, u, v, row + 6, lanes), stretch)
+        stretch = fma(n[3], _stretch(k, u, v, row + 7, lanes), stretch)
+        force = scale(c.pad_damping, stretch)
+        for i in range(4):
+            target = row + NODE * (i // 2) + i % 2
+            _accumulate(r, target, n[i], force, lanes)
+            _accumulate(r, target + 2, -n[i], force, lanes)
+
+
+@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+def add_window(x, window, start, force, lanes):  # type: ignore[no-untyped-def]
+    """Add a wheel's window, times its force in every lane, to the displacements."""
+    for i in range(window.shape[0]):
+        store(x, start + i, fma(window[i], force, load(x, start + i, lanes)))

@@ -1,0 +1,139 @@
+"""The step's operator at every phase: periodic factors and short windows instead of whole matrices.
+
+Away from the ends the matrix repeats from pad to pad, and after a few cells so do its factors, to rounding. A
+phase therefore keeps the factors of the first cells behind the absorbing end, the last of which serves the
+whole length to the other end, and of the first cells of that end; the rest of both ends does not know the
+phase. The inverse is local as well: what a wheel's force does within one step is kept as a short window.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.banded import FACTOR_COLUMNS, factorise, substitute
+from solver.integrator import Integrator
+from solver.track import NODE, RAIL, TrackModel
+
+Array = NDArray[np.float64]
+
+FACTOR_TOLERANCE = 1e-12  # relative change of the factors from one cell to the next that counts as periodic
+WINDOW_TOLERANCE = 1e-13  # part of a window's largest entry below which it is cut
+
+
+@dataclass(frozen=True)
+class PeriodicOperator:
+    """All that a step needs of the track's matrices.
+
+    Attributes
+    ----------
+    blocks : ndarray, shape (blocks, rows per cell, 19)
+        Factors cut into cells.
+    block_of_cell : ndarray of int, shape (phases, cells)
+        Which block serves a cell at a phase.
+    window_start : ndarray of int, shape (wheels,)
+        First row of each wheel's window.
+    windows : ndarray, shape (phases, wheels, rows)
+        Displacement in response to a unit force at each wheel, within one step.
+    compliance : ndarray, shape (phases, wheels, wheels)
+        Rail displacement under wheel i for a unit force at wheel j, within one step.
+    """
+
+    blocks: Array
+    block_of_cell: NDArray[np.int64]
+    window_start: NDArray[np.int64]
+    windows: Array
+    compliance: Array
+
+
+def periodic_operator(model: TrackModel, scheme: Integrator, wheels: Array) -> PeriodicOperator:
+    """Factorise ``inertia M + damping C + K`` at every phase and answer a unit force at every wheel.
+
+    Parameters
+    ----------
+    model : TrackModel
+    scheme : Integrator
+    wheels : ndarray, shape (wheels,)
+        Positions of the wheels, m.
+    """
+    transition = 8
+    while (blocks := _blocks(model, scheme, transition)) is None:
+        transition += 4
+    table = _block_table(model, transition)
+    return PeriodicOperator(blocks, table, *_windows(model, wheels, blocks, table))
+
+
+def _blocks(model: TrackModel, scheme: Integrator, transition: int) -> Array | None:
+    """Factors in the order of :func:`_block_table`, or None if ``transition`` cells do not make them periodic."""
+    ends, interior = model.absorbing_cells, model.cells - 2 * model.absorbing_cells
+    own = min(transition, interior)
+    cells = np.r_[: ends + own, model.cells - ends : model.cells]
+    rows = NODE * model.case.numerics.elements_per_pad
+    bare = model.band(cells, scheme.inertia, scheme.damping)
+    from_right = min(transition, ends)
+    kept = np.r_[ends : ends + own + from_right]
+    blocks = np.empty((2 * ends - from_right + len(kept) * model.case.phases, rows, FACTOR_COLUMNS))
+    for phase in range(model.case.phases):
+        band = bare.copy()
+        model.add_pads(band, cells, phase, scheme.damping)
+        factors = factorise(band).reshape(-1, rows, FACTOR_COLUMNS)
+        if phase == 0:
+            blocks[:ends] = factors[:ends]
+            blocks[ends : 2 * ends - from_right] = factors[ends + own + from_right :]
+        first = 2 * ends - from_right + phase * len(kept)
+        blocks[first : first + len(kept)] = factors[kept]
+        if own < interior and not _alike(factors[ends + own - 1], factors[ends + own - 2]):
+            return None
+        if from_right < ends and not _alike(factors[ends + own + from_right], blocks[ends]):
+            return None
+    return blocks
+
+
+def _alike(block: Array, other: Array) -> bool:
+    scale = np.abs(block).max(axis=0)
+    return bool(np.all(np.abs(block - other) <= FACTOR_TOLERANCE * scale))
+
+
+def _block_table(model: TrackModel, transition: int) -> NDArray[np.int64]:
+    """Which block serves each cell at each phase, shape (phases, cells)."""
+    ends, interior = model.absorbing_cells, model.cells - 2 * model.absorbing_cells
+    own, from_right = min(transition, interior), min(transition, ends)
+    fixed = 2 * ends - from_right
+    phase = np.arange(model.case.phases)[:, None]
+    moving = fixed + phase * (own + from_right) + np.r_[np.minimum(np.arange(interior), own - 1), own + np.arange(from_right)]
+    still = np.broadcast_to(np.arange(fixed), (len(phase), fixed))
+    return np.ascontiguousarray(np.hstack([still[:, :ends], moving, still[:, ends:]]))
+
+
+def _windows(
+    model: TrackModel, wheels: Array, blocks: Array, table: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], Array, Array]:
+    """Windows of the inverse under each wheel, and the compliances between the wheels."""
+    loads = model.unit_loads(wheels)
+    points = [model.point(position, RAIL) for position in wheels]
+    lanes = (0.0,) * len(wheels)
+    half = 0
+    windows = np.empty(0)
+    compliance = np.empty((len(table), len(wheels), len(wheels)))
+    start = np.zeros(len(wheels), np.int64)
+    for phase, block_of_cell in enumerate(table):
+        response = loads.copy()
+        substitute(blocks, block_of_cell, response, lanes)
+        if phase == 0:
+            half = max(_reach(response[:, j], row) for j, (row, _) in enumerate(points))
+            start = np.array([max(0, row - half) for row, _ in points])
+            start = np.minimum(start, len(loads) - min(2 * half, len(loads)))
+            windows = np.empty((len(table), len(wheels), min(2 * half, len(loads))))
+        for j in range(len(wheels)):
+            windows[phase, j] = response[start[j] : start[j] + windows.shape[2], j]
+            for i, (row, weights) in enumerate(points):
+                compliance[phase, i, j] = weights @ response[row : row + 2 * NODE, j]
+    return start, windows, compliance
+
+
+def _reach(response: Array, row: int) -> int:
+    """Rows on either side of a wheel beyond which its response is below the tolerance."""
+    size = np.abs(response.reshape(-1, 2)).max(axis=0)  # displacements and slopes
+    significant = np.flatnonzero((np.abs(response.reshape(-1, 2)) > WINDOW_TOLERANCE * size).any(axis=1)) * 2
+    reach = max(row - significant[0], significant[-1] - row) + 2 * NODE
+    return int(-(-reach // NODE) * NODE)

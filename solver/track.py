@@ -1,0 +1,200 @@
+"""The track in the frame that moves with the vehicle (C-ELE): rail, slab and base on pads, mortar and roadbed.
+
+Position ``r = x - V t`` (Eq. 5 of the article) runs forwards from the vehicle's centre. Seen from this frame
+``d/dt`` becomes ``d/dt - V d/dr`` for every beam and damper (Eqs. 6-8), and the pads walk backwards through the mesh
+by one spacing every ``phases`` steps. The mesh is cut into cells of one pad spacing. In the cells of the two
+absorbing ends the pads are spread evenly and the roadbed gains damping, so that these ends do not depend on
+the phase.
+
+Unknowns: (w, w', z, z', y, y') at every node, ordered by node. The first node is clamped, the one after the last
+cell too and left out.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_banded
+
+from solver.banded import HALF_BANDWIDTH
+from solver.beam import HermiteElement, hermite
+from solver.case import Case
+
+Array = NDArray[np.float64]
+
+RAIL, SLAB, BASE = 0, 1, 2
+NODE = 6  # unknowns per node
+
+
+def element_unknowns(beam: int) -> NDArray[np.int64]:
+    """Where a beam's four unknowns stand among the twelve of two neighbouring nodes."""
+    return np.array([0, 1, NODE, NODE + 1]) + 2 * beam
+
+
+@dataclass(frozen=True)
+class TrackModel:
+    """The track of a case, its mesh, and its matrices at any phase."""
+
+    case: Case
+
+    @cached_property
+    def element(self) -> HermiteElement:
+        """The one element of the uniform mesh."""
+        return HermiteElement(self.case.track.pad_spacing / self.case.numerics.elements_per_pad)
+
+    @cached_property
+    def cells(self) -> int:
+        """Cells of one pad spacing."""
+        return self.case.cells
+
+    @cached_property
+    def absorbing_cells(self) -> int:
+        """Cells of each absorbing end."""
+        return self.case.absorbing_cells
+
+    @cached_property
+    def left_end(self) -> float:
+        """Position of the first node, m."""
+        return -self.cells * self.case.track.pad_spacing / 2
+
+    @cached_property
+    def absorption(self) -> Array:
+        """Roadbed damping added in each element, growing with the cube of the way into an end, N s/m^2."""
+        per_cell = self.case.numerics.elements_per_pad
+        depth = self.absorbing_cells * per_cell
+        rise = ((np.arange(depth) + 0.5) / depth) ** 3 * self.case.numerics.absorbing_damping
+        return np.concatenate([rise[::-1], np.zeros(self.cells * per_cell - 2 * depth), rise])
+
+    @cached_property
+    def spread_pads(self) -> NDArray[np.bool_]:
+        """Whether a cell has its pad spread evenly over its length."""
+        cell = np.arange(self.cells)
+        return (cell < self.absorbing_cells) | (cell >= self.cells - self.absorbing_cells)
+
+    def locate(self, position: float) -> tuple[int, float]:
+        """Element that holds a position, and where in it, 0 <= xi < 1."""
+        element, xi = divmod((position - self.left_end) / self.element.length, 1.0)
+        return int(element), float(xi)
+
+    def pad_location(self, phase: int) -> tuple[int, float]:
+        """Element within every cell that holds the pad at a phase, and where in it."""
+        n = self.case.phases
+        ahead = (n - phase) % n * self.case.numerics.elements_per_pad
+        return ahead // n, (ahead % n) / n
+
+    def shape(self, xi: float, derivative: int = 0) -> Array:
+        """Shape functions (4,) of one beam, or a derivative of them."""
+        return hermite(xi, self.element.length, derivative)
+
+    def layer(self, stiffness: float, damping: float, damping_factor: float) -> Array:
+        """Matrix (4, 4) of an even layer acting on one relative displacement, ``damping_factor * C + K``."""
+        e = self.element
+        return (stiffness + damping_factor * damping) * e.mass - damping * self.case.speed * e.gradient
+
+    def pad(self, xi: float, damping_factor: float) -> Array:
+        """Matrix (4, 4) of a pad inside an element."""
+        t = self.case.track
+        n, slope = self.shape(xi), self.shape(xi, 1)
+        stiff = (t.pad_stiffness + damping_factor * t.pad_damping) * np.outer(n, n)
+        return stiff - t.pad_damping * self.case.speed * np.outer(n, slope)
+
+    def _element_matrices(self, cells: NDArray[np.int64], inertia_factor: float, damping_factor: float) -> Array:
+        """Element matrices (elements, 12, 12) of some cells without their pads."""
+        t, e, speed = self.case.track, self.element, self.case.speed
+        beams = (
+            (t.rail_mass, t.rail_elastic_modulus * t.rail_second_moment),
+            (t.slab_mass, t.slab_elastic_modulus * t.slab_second_moment),
+            (t.base_mass, t.base_elastic_modulus * t.base_second_moment),
+        )
+        common, spread, absorbing = np.zeros((3, 2 * NODE, 2 * NODE))
+        for beam, (mass, bending_stiffness) in enumerate(beams):
+            common[np.ix_(*2 * [element_unknowns(beam)])] += (
+                mass * (inertia_factor * e.mass - damping_factor * speed * e.convection - speed**2 * e.stretch)
+                + bending_stiffness * e.bending
+            )
+        couple(common, SLAB, BASE, self.layer(t.mortar_stiffness, t.mortar_damping, damping_factor))
+        base = np.ix_(*2 * [element_unknowns(BASE)])
+        common[base] += self.layer(t.roadbed_stiffness, t.roadbed_damping, damping_factor)
+        absorbing[base] += self.layer(0.0, 1.0, damping_factor)
+        even = (t.pad_stiffness / t.pad_spacing, t.pad_damping / t.pad_spacing)
+        couple(spread, RAIL, SLAB, self.layer(*even, damping_factor))
+        per_cell = self.case.numerics.elements_per_pad
+        extra = self.absorption.reshape(self.cells, per_cell)[cells].ravel()
+        is_spread = np.repeat(self.spread_pads[cells], per_cell)
+        return common + extra[:, None, None] * absorbing + is_spread[:, None, None] * spread
+
+    def band(self, cells: NDArray[np.int64], inertia_factor: float = 0.0, damping_factor: float = 0.0) -> Array:
+        """``inertia_factor * M + damping_factor * C + K`` of some cells in a row, without pads.
+
+        Returns
+        -------
+        ndarray, shape (unknowns, 19)
+            Entry (i, j) in ``[i, 9 + j - i]``; first node clamped if it is the track's first.
+        """
+        elements = self._element_matrices(cells, inertia_factor, damping_factor)
+        n = len(elements)
+        band = np.zeros((NODE * (n + 1), 2 * HALF_BANDWIDTH + 1))
+        for i in range(2 * NODE):
+            for j in range(2 * NODE):
+                if abs(j - i) <= HALF_BANDWIDTH:
+                    band[i : i + NODE * n : NODE, HALF_BANDWIDTH + j - i] += elements[:, i, j]
+        if cells[0] == 0:
+            clamp_first_node(band)
+        return band[:-NODE]
+
+    def add_pads(self, band: Array, cells: NDArray[np.int64], phase: int, damping_factor: float = 0.0) -> None:
+        """Add the pads of a phase to a :meth:`band` of the same cells."""
+        element, xi = self.pad_location(phase)
+        pad = np.zeros((2 * NODE, 2 * NODE))
+        couple(pad, RAIL, SLAB, self.pad(xi, damping_factor))
+        per_cell = self.case.numerics.elements_per_pad
+        first = NODE * (np.flatnonzero(~self.spread_pads[cells]) * per_cell + element)
+        for i, j in zip(*np.nonzero(pad), strict=True):
+            rows = first + i
+            inside = (rows < len(band)) & (first + j < len(band))
+            band[rows[inside], HALF_BANDWIDTH + j - i] += pad[i, j]
+
+    def point(self, position: float, beam: int, derivative: int = 0) -> tuple[int, Array]:
+        """First row and weights (12,) that give a beam's value or derivative at a position."""
+        element, xi = self.locate(position)
+        weights = np.zeros(2 * NODE)
+        weights[element_unknowns(beam)] = self.shape(xi, derivative)
+        return NODE * element, weights
+
+    def unit_loads(self, positions: Array) -> Array:
+        """Nodal forces (unknowns, positions) of unit loads on the rail."""
+        loads = np.zeros((NODE * self.cells * self.case.numerics.elements_per_pad, len(positions)))
+        for column, position in enumerate(positions):
+            row, weights = self.point(position, RAIL)
+            loads[row : row + 2 * NODE, column] = weights
+        return loads
+
+    def steady_response(self, phase: int, loads: Array) -> Array:
+        """Displacements that stand still in the moving frame while the pads are held at a phase."""
+        cells = np.arange(self.cells)
+        band = self.band(cells)
+        self.add_pads(band, cells, phase)
+        upper_first = np.zeros((2 * HALF_BANDWIDTH + 1, len(band)))
+        for offset in range(-HALF_BANDWIDTH, HALF_BANDWIDTH + 1):
+            diagonal = band[max(0, -offset) : len(band) - max(0, offset), HALF_BANDWIDTH + offset]
+            upper_first[HALF_BANDWIDTH - offset, max(0, offset) : len(band) - max(0, -offset)] = diagonal
+        return np.asarray(solve_banded((HALF_BANDWIDTH, HALF_BANDWIDTH), upper_first, loads))
+
+
+def couple(matrix: Array, upper: int, lower: int, block: Array) -> None:
+    """Add a layer between two beams to a matrix of two nodes."""
+    u, v = element_unknowns(upper), element_unknowns(lower)
+    matrix[np.ix_(u, u)] += block
+    matrix[np.ix_(v, v)] += block
+    matrix[np.ix_(u, v)] -= block
+    matrix[np.ix_(v, u)] -= block
+
+
+def clamp_first_node(band: Array) -> None:
+    """Replace the first node's equations by ``u = 0`` and take it out of all others."""
+    band[:NODE] = 0
+    band[:NODE, HALF_BANDWIDTH] = 1
+    for row in range(NODE, NODE + HALF_BANDWIDTH):
+        first = max(0, HALF_BANDWIDTH - row)
+        band[row, first : max(first, HALF_BANDWIDTH + NODE - row)] = 0
