@@ -139,6 +139,9 @@ class Numerics(Checked):
 
     track_length: float = quantity("m", "length of track that moves with the vehicle", ge=90, le=1000, default=140.0)
     elements_per_pad: int = quantity("", "elements of each beam between two pads", ge=2, le=64, default=12)
+    mesh_offset: float = quantity(
+        "", "part of an element by which the mesh lies behind the first wheel", ge=0, lt=1, default=0.5
+    )
     time_step: float = quantity(
         "s", "largest time step; the step used divides the time from pad to pad", ge=1e-6, le=1e-3, default=1e-4
     )
@@ -192,7 +195,7 @@ class Case(Checked):
 
     def _check_domain(self) -> None:
         overhang = self.vehicle.half_bogie_distance + self.vehicle.half_wheelbase + CLEARANCE
-        shortest = 2 * (overhang + self.absorbing_cells * self.track.pad_spacing)
+        shortest = 2 * (overhang + self.absorbing_cells * self.track.pad_spacing) + self.track.pad_spacing
         if self.cells * self.track.pad_spacing < shortest:
             raise InvalidParameterError(
                 "numerics.track_length_m",

@@ -55,8 +55,11 @@ class TrackModel:
 
     @cached_property
     def left_end(self) -> float:
-        """Position of the first node, m."""
-        return -self.cells * self.case.track.pad_spacing / 2
+        """Position of the first node, m: the vehicle in the middle, and its first wheel above a pad at phase 0."""
+        vehicle, spacing = self.case.vehicle, self.case.track.pad_spacing
+        first_wheel = vehicle.half_bogie_distance + vehicle.half_wheelbase
+        behind = round(first_wheel / spacing + self.cells / 2)
+        return first_wheel - behind * spacing - self.case.numerics.mesh_offset * self.element.length
 
     @cached_property
     def absorption(self) -> Array:
@@ -79,9 +82,10 @@ class TrackModel:
 
     def pad_location(self, phase: int) -> tuple[int, float]:
         """Element within every cell that holds the pad at a phase, and where in it."""
-        n = self.case.phases
-        ahead = (n - phase) % n * self.case.numerics.elements_per_pad
-        return ahead // n, (ahead % n) / n
+        per_cell = self.case.numerics.elements_per_pad
+        ahead = (-phase % self.case.phases) / self.case.phases * per_cell + self.case.numerics.mesh_offset
+        element, xi = divmod(ahead % per_cell, 1.0)
+        return int(element), xi
 
     def shape(self, xi: float, derivative: int = 0) -> Array:
         """Shape functions (4,) of one beam, or a derivative of them."""

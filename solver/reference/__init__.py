@@ -1,0 +1,1 @@
+"""Independent answers to check the moving-element solver against; they share no assembly code with it."""
