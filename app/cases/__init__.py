@@ -1,0 +1,1 @@
+"""Cases: what one simulation is at the boundary, and how it went."""

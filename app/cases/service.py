@@ -1,0 +1,64 @@
+"""What can be known of cases."""
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.cases.schemas import case_file
+from app.cases.views import CaseDetail, CasePage, CaseQuery, CaseSummary, StoredHistory
+from app.db.models import Case, History, Study, StudyCase
+from app.pagination import Order, fetch_page
+from app.problems import Problem, not_found
+
+ORDERS = {"position": StudyCase.position, "speed_kmh": Case.speed_kmh, "state": Case.state}
+
+
+def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: int) -> CasePage:
+    """A page of a study's cases.
+
+    Raises
+    ------
+    Problem
+        404 if there is no such study.
+    """
+    if session.get(Study, study_id) is None:
+        raise not_found("study")
+    statement = select(Case).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
+    if query.state is not None:
+        statement = statement.where(Case.state == query.state)
+    order = Order(ORDERS[query.sort.removeprefix("-")], Case.id, descending=query.sort.startswith("-"))
+    rows, cursor = fetch_page(session, statement, query, order, max_page_size)
+    return CasePage(items=[CaseSummary.model_validate(row.Case) for row in rows], next_cursor=cursor)
+
+
+def get(session: Session, case_id: int) -> CaseDetail:
+    """One case.
+
+    Raises
+    ------
+    Problem
+        404 if there is none.
+    """
+    case = session.get(Case, case_id)
+    if case is None:
+        raise not_found("case")
+    history = session.get(History, case_id)
+    summary = CaseSummary.model_validate(case)
+    stored = None if history is None else StoredHistory.model_validate(history)
+    return CaseDetail(**dict(summary), inputs=case_file(case.inputs), history=stored)
+
+
+def find_history(session: Session, case_id: int) -> History:
+    """Where the history of a case lies.
+
+    Raises
+    ------
+    Problem
+        404 if there is no such case or no history of it.
+    """
+    if session.get(Case, case_id) is None:
+        raise not_found("case")
+    history = session.get(History, case_id)
+    if history is None:
+        detail = "No history of this case is stored: it is not computed yet, or no study asked to keep it."
+        raise Problem(404, detail, code="history-not-kept")
+    return history

@@ -1,0 +1,29 @@
+"""What the routes of one application share."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import Depends, Request
+
+from app.db.session import Database
+from app.queue import Doorbell
+from app.settings import Settings
+from app.storage import HistoryStore
+
+
+@dataclass(frozen=True)
+class Context:
+    """Settings, database, doorbell and history store."""
+
+    settings: Settings
+    database: Database
+    doorbell: Doorbell
+    histories: HistoryStore
+
+
+def _of_request(request: Request) -> Context:
+    context: Context = request.app.state.context
+    return context
+
+
+ContextDep = Annotated[Context, Depends(_of_request)]

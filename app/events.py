@@ -1,0 +1,54 @@
+"""What happens to studies, written down in the transaction that makes it happen."""
+
+from typing import Any
+
+from sqlalchemy import exists, select, update
+from sqlalchemy.orm import Session
+
+from app.db.models import Case, CaseState, Event, EventKind, Study, StudyCase
+from app.db.types import Clock
+from app.studies import repository
+
+
+def record(session: Session, study_id: str, kind: EventKind, payload: dict[str, Any]) -> None:
+    """Write one event."""
+    session.add(Event(study_id=study_id, kind=kind, payload=payload))
+    session.flush()  # numbered now: later events of this transaction come later
+
+
+def case_started(session: Session, case_id: int) -> None:
+    """A worker took a case: studies in which it is the first are running."""
+    containing = select(StudyCase.study_id).where(StudyCase.case_id == case_id)
+    first = update(Study).where(Study.started_at.is_(None), Study.id.in_(containing)).values(started_at=Clock())
+    for study_id in session.scalars(first.returning(Study.id)).all():
+        record(session, study_id, "state", {"state": "running"})
+
+
+def case_ended(session: Session, case_id: int, state: CaseState) -> None:
+    """A case reached its end: studies in which it was the last are finished.
+
+    Call it after the case's own row was updated. That row's lock, and then the studies', order the ends of two
+    last cases on PostgreSQL: without them each would see the other still running, and nobody would say `done`.
+    """
+    studies = (
+        select(Study.id)
+        .join(StudyCase, StudyCase.study_id == Study.id)
+        .where(StudyCase.case_id == case_id)
+        .order_by(Study.id)
+        .with_for_update(key_share=True, of=Study)
+    )
+    for study_id in session.scalars(studies).all():
+        record(session, study_id, "case", {"case_id": case_id, "state": state})
+        finish_if_done(session, study_id)
+
+
+def finish_if_done(session: Session, study_id: str) -> None:
+    """Write down the end of a study if none of its cases is still to come."""
+    cases = select(StudyCase).join(Case, Case.id == StudyCase.case_id).where(StudyCase.study_id == study_id)
+    if session.scalar(select(exists(cases.where(Case.state.in_(["queued", "running"]))))):
+        return
+    session.execute(update(Study).where(Study.id == study_id).values(finished_at=Clock()))
+    row = repository.find(session, study_id)
+    if row is not None:
+        record(session, study_id, "state", {"state": row.state})
+        record(session, study_id, "done", {"state": row.state})

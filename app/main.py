@@ -1,0 +1,75 @@
+"""The HTTP application: ``uvicorn app.main:create_app --factory``."""
+
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from importlib.metadata import version
+
+from fastapi import APIRouter, FastAPI
+from sqlalchemy import select
+
+from app import log, openapi, problems
+from app.cases.routes import router as cases
+from app.context import Context, ContextDep
+from app.db.models import Study
+from app.db.session import Database
+from app.peaks.routes import router as peaks
+from app.queue import Doorbell
+from app.requests import RequestIdMiddleware
+from app.settings import Settings
+from app.storage import HistoryStore
+from app.studies.routes import router as studies
+
+health = APIRouter(include_in_schema=False)
+
+
+@health.get("/healthz")
+def healthz() -> dict[str, str]:
+    """Whether the process runs."""
+    return {"status": "ok"}
+
+
+@health.get("/readyz")
+def readyz(context: ContextDep) -> dict[str, str]:
+    """Whether requests can be served: the database answers and has its tables."""
+    with context.database.read() as session:
+        session.execute(select(Study.id).limit(1))
+    return {"status": "ok"}
+
+
+def create_app(settings: Settings | None = None) -> FastAPI:
+    """The application.
+
+    Parameters
+    ----------
+    settings : Settings, optional
+        From the environment when not given. The database must have been migrated.
+    """
+    log.configure()
+    settings = settings or Settings()
+    context = Context(
+        settings=settings,
+        database=Database(settings.resolved_database_url),
+        doorbell=Doorbell(settings),
+        histories=HistoryStore(settings.resolved_storage_url),
+    )
+
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        yield
+        context.database.engine.dispose()
+
+    app = FastAPI(
+        title="TrackSweep",
+        version=version("tracksweep"),
+        description="Parametric studies of a high-speed train on ballastless slab track.",
+        lifespan=lifespan,
+        generate_unique_id_function=lambda route: route.name,
+        redirect_slashes=False,
+    )
+    app.state.context = context
+    app.add_middleware(RequestIdMiddleware)
+    problems.install(app)
+    for router in (health, studies, cases, peaks):
+        app.include_router(router)
+    app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way
+    return app

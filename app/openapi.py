@@ -1,0 +1,38 @@
+"""The OpenAPI document: FastAPI's, with errors as they really are."""
+
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+
+from app.problems import MEDIA_TYPE, ProblemDetails
+
+REFERENCE = "#/components/schemas/{model}"
+ALWAYS = {"422": "Invalid", "503": "Database or disk away"}
+WITH_BODY = {"400": "Not JSON", "413": "Body too large", "415": "Body of another type"}
+WITH_PATH = {"404": "Not found"}
+
+
+def document(app: FastAPI) -> dict[str, Any]:
+    """The document, made once."""
+    if app.openapi_schema is None:
+        schema = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+        schemas = schema["components"]["schemas"]
+        for name in ("HTTPValidationError", "ValidationError"):
+            schemas.pop(name, None)
+        problem = ProblemDetails.model_json_schema(ref_template=REFERENCE)
+        schemas |= problem.pop("$defs") | {"ProblemDetails": problem}
+        for path, operations in schema["paths"].items():
+            for operation in operations.values():
+                _document_problems(path, operation)
+        app.openapi_schema = schema
+    return app.openapi_schema
+
+
+def _document_problems(path: str, operation: dict[str, Any]) -> None:
+    problems = ALWAYS | (WITH_BODY if "requestBody" in operation else {}) | (WITH_PATH if "{" in path else {})
+    content = {MEDIA_TYPE: {"schema": {"$ref": REFERENCE.format(model="ProblemDetails")}}}
+    responses = operation["responses"] | {
+        status: {"description": reason, "content": content} for status, reason in problems.items()
+    }
+    operation["responses"] = dict(sorted(responses.items()))

@@ -1,0 +1,1 @@
+"""Peaks: the results, across studies."""

@@ -1,0 +1,61 @@
+"""Peaks as clients see them, and how they are chosen."""
+
+from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
+
+from pydantic import BaseModel, Field, StringConstraints
+
+from app.cases.views import Conditions
+from app.pagination import PageQuery
+
+
+class PeakRow(Conditions):
+    """Peak and statistics of one quantity at one position over the steady window of one case, in ``unit``."""
+
+    case_id: int
+    solver_version: str
+    quantity: str
+    position: str
+    unit: str
+    peak: float = Field(description="Largest magnitude; for wheel-rail forces the maximum.")
+    maximum: float
+    minimum: float
+    mean: float
+    std: float
+    rms: float
+    time_s: float = Field(description="When the peak occurs, s since the window began.")
+    track_position_m: float = Field(description="Where the first wheelset is at that time, m.")
+
+
+class PeakPage(BaseModel):
+    """A page of peaks."""
+
+    items: list[PeakRow]
+    next_cursor: str | None
+
+
+COLUMNS = tuple(PeakRow.model_fields)
+if TYPE_CHECKING:
+    Sort: TypeAlias = str
+else:
+    Sort = Literal[tuple(sign + column for column in COLUMNS for sign in ("", "-"))]
+Word = Annotated[str, StringConstraints(max_length=100, pattern=r"^[\x21-\x7e]*$")]
+
+
+class PeakFilters(PageQuery):
+    """Which peaks to list."""
+
+    study_id: Annotated[str, StringConstraints(pattern="^[0-9a-f]{32}$")] | None = None
+    quantity: Word | None = None
+    position: Word | None = None
+    slab: Word | None = None
+    irregularity: Word | None = None
+    spectrum: Word | None = None
+    speed_kmh_min: float | None = None
+    speed_kmh_max: float | None = None
+    percentile: float | None = None
+    wavelength_min_m: float | None = Field(default=None, description="Shortest wavelength of the band.")
+    wavelength_max_m: float | None = Field(default=None, description="Longest wavelength of the band.")
+    wavelength_m: float | None = Field(default=None, description="Wavelength of a harmonic irregularity.")
+    value_min: float | None = Field(default=None, description="Only peaks of at least this, in the quantity's unit.")
+    value_max: float | None = Field(default=None, description="Only peaks of at most this, in the quantity's unit.")
+    sort: Sort = Field(default="case_id", description="A column; with a minus sign, from large to small.")

@@ -1,0 +1,86 @@
+"""How requests are read: JSON strictly and within limits, each under an identifier of its own."""
+
+from collections.abc import Callable, Coroutine
+from email.message import Message
+from typing import Any
+from uuid import uuid4
+
+from fastapi import Request, Response
+from fastapi.routing import APIRoute
+from pydantic_core import from_json
+from starlette.datastructures import MutableHeaders
+from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Message as AsgiMessage
+from structlog.contextvars import bound_contextvars
+
+from app.problems import Problem
+
+
+class JsonRequest(Request):
+    """A request whose body is limited, and is JSON as Pydantic reads it.
+
+    The standard library's reader would let lone surrogates through and give up on deep nesting with a
+    RecursionError. NaN and Infinity pass here so that validation can name the field that holds them.
+    """
+
+    async def body(self) -> bytes:
+        """The body, once it is known to be of the right type and size."""
+        if not hasattr(self, "_limited_body"):
+            limit = self.app.state.context.settings.max_body_bytes
+            chunks, size = [], 0
+            async for chunk in self.stream():
+                size += len(chunk)
+                if size > limit:
+                    raise Problem(413, f"The body is larger than {limit} bytes.")
+                chunks.append(chunk)
+            self._limited_body = b"".join(chunks)
+            if self._limited_body and not _is_json(self.headers.get("content-type", "")):
+                raise Problem(415, "The body must be application/json.", headers={"Accept": "application/json"})
+        return self._limited_body
+
+    async def json(self) -> Any:
+        """The body as Python objects."""
+        try:
+            return from_json(await self.body())
+        except ValueError as error:
+            raise Problem(400, f"The body is not JSON: {error}.") from None
+
+
+def _is_json(content_type: str) -> bool:
+    header = Message()
+    header["content-type"] = content_type
+    subtype = header.get_content_subtype()
+    return header.get_content_maintype() == "application" and (subtype == "json" or subtype.endswith("+json"))
+
+
+class JsonRoute(APIRoute):
+    """A route that reads its body through :class:`JsonRequest`."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """The handler FastAPI calls."""
+        handle = super().get_route_handler()
+
+        async def handle_json(request: Request) -> Response:
+            return await handle(JsonRequest(request.scope, request.receive))
+
+        return handle_json
+
+
+class RequestIdMiddleware:
+    """Number every request: in its log lines, in its problem details and in the header ``X-Request-ID``."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self.app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Handle one connection."""
+        request_id = uuid4().hex
+        scope.setdefault("state", {})["request_id"] = request_id
+
+        async def send_numbered(message: AsgiMessage) -> None:
+            if message["type"] == "http.response.start":
+                MutableHeaders(scope=message)["X-Request-ID"] = request_id
+            await send(message)
+
+        with bound_contextvars(request_id=request_id):
+            await self.app(scope, receive, send_numbered)

@@ -1,0 +1,1 @@
+"""Studies: what is asked for, and what has become of it."""

@@ -1,0 +1,88 @@
+"""Studies in the database. A study's state is derived here, from its cases, and nowhere else."""
+
+from collections.abc import Sequence
+from typing import Any, get_args
+
+from sqlalchemy import ColumnElement, Row, Select, and_, case, func, or_, select
+from sqlalchemy.orm import Session
+
+from app.db.models import Case, CaseState, Study, StudyCase
+from app.pagination import Order, fetch_page
+from app.studies.schemas import StudyQuery
+
+ORDERS = {"created_at": Study.created_at, "name": Study.name, "priority": Study.priority}
+
+
+def overview(*of: ColumnElement[bool]) -> Select[Any]:
+    """Studies with ``total``, a count per case state, ``progress``, ``state`` and what an estimate needs.
+
+    Parameters
+    ----------
+    *of
+        Conditions on ``StudyCase.study_id``: whose cases are counted.
+    """
+    elapsed = Case.finished_at - Case.started_at
+    done = case((Case.state == "running", Case.progress), (Case.state == "queued", 0.0), else_=1.0)
+    tally = (
+        select(
+            StudyCase.study_id,
+            func.count().label("total"),
+            *(func.count().filter(Case.state == state).label(state) for state in get_args(CaseState)),
+            func.avg(done).label("progress"),
+            func.avg(elapsed).filter(Case.state == "succeeded").label("mean_s"),
+            func.avg(elapsed * elapsed).filter(Case.state == "succeeded").label("mean_square_s2"),
+        )
+        .join(Case, Case.id == StudyCase.case_id)
+        .where(*of)
+        .group_by(StudyCase.study_id)
+        .subquery()
+    )
+    n = tally.c
+    unfinished = n.queued + n.running > 0
+    state = case(
+        (and_(Study.cancel_requested_at.is_not(None), n.running > 0), "cancelling"),
+        (Study.cancel_requested_at.is_not(None), "cancelled"),
+        (and_(unfinished, or_(n.running > 0, Study.started_at.is_not(None))), "running"),
+        (unfinished, "queued"),
+        (n.succeeded == n.total, "succeeded"),
+        (n.succeeded > 0, "partially_failed"),
+        else_="failed",
+    )
+    columns = [column for column in n if column.name != "study_id"]
+    return select(Study, *columns, state.label("state")).join(tally, n.study_id == Study.id)
+
+
+def find(session: Session, study_id: str) -> Row[Any] | None:
+    """The overview of one study."""
+    return session.execute(overview(StudyCase.study_id == study_id)).one_or_none()
+
+
+def find_page(session: Session, query: StudyQuery, max_page_size: int) -> tuple[Sequence[Row[Any]], str | None]:
+    """The overviews of a page of studies, and the next page's cursor."""
+    chosen = select(Study.id)
+    if query.created_after is not None:
+        chosen = chosen.where(Study.created_at > query.created_after.timestamp())
+    if query.name is not None:
+        chosen = chosen.where(Study.name.icontains(query.name, autoescape=True))
+    if query.state is not None:
+        derived = overview().subquery()
+        chosen = chosen.where(Study.id.in_(select(derived.c.id).where(derived.c.state == query.state)))
+    order = Order(ORDERS[query.sort.removeprefix("-")], Study.id, descending=query.sort.startswith("-"))
+    keys, cursor = fetch_page(session, chosen, query, order, max_page_size)
+    ids = [key.id for key in keys]
+    rows = {row.Study.id: row for row in session.execute(overview(StudyCase.study_id.in_(ids)))}
+    return [rows[study_id] for study_id in ids], cursor
+
+
+def active_workers(session: Session) -> int:
+    """How many workers hold a case."""
+    return session.scalar(select(func.count(Case.worker.distinct())).where(Case.state == "running")) or 0
+
+
+def cases_ahead(session: Session, study_id: str, priority: int) -> int:
+    """Queued cases of other studies that come before the last of this one."""
+    own = select(StudyCase.case_id).where(StudyCase.study_id == study_id)
+    last = select(func.max(StudyCase.case_id)).where(StudyCase.study_id == study_id).scalar_subquery()
+    before = or_(Case.priority > priority, and_(Case.priority == priority, Case.id < last))
+    ahead = select(func.count()).where(Case.state == "queued", before, Case.id.not_in(own))
+    return session.scalar(ahead) or 0

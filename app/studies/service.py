@@ -1,0 +1,154 @@
+"""What can be done with studies."""
+
+import hashlib
+import math
+from datetime import UTC, datetime, timedelta
+from typing import Any
+from uuid import uuid4
+
+from sqlalchemy import Row, insert, select, text
+from sqlalchemy.orm import Session
+
+from app import events, idempotency
+from app.cases.repository import enqueue, row_of
+from app.context import Context
+from app.db.models import Study, StudyCase
+from app.db.types import Clock
+from app.problems import FieldProblem, Problem, not_found
+from app.studies import repository
+from app.studies.schemas import (
+    CaseCounts,
+    FinishEstimate,
+    StudyDetail,
+    StudyPage,
+    StudyQuery,
+    StudyRequest,
+    StudySummary,
+    pointer_to_parameter,
+)
+from solver.case import Case
+from solver.quantity import InvalidParameterError
+
+_ACCEPTING = 4_250_962_617_395_811  # PostgreSQL's lock while a study is accepted; any number
+
+
+def create(context: Context, request: StudyRequest, key: str | None) -> StudyDetail:
+    """Accept a study: store it, queue its cases, wake a worker.
+
+    Raises
+    ------
+    Problem
+        422 if the study is too large, its values contradict each other, or the key belongs to another request.
+    """
+    cases = expand(request, context.settings.max_cases_per_study)
+    rows = {row["digest"]: row for row in (row_of(case, request.priority) for case in cases)}
+    digest = hashlib.sha256(request.model_dump_json().encode()).hexdigest()
+    with context.database.write() as session:
+        _accept_one_at_a_time(session)
+        if key is not None and (answer := idempotency.recall(session, key, digest)) is not None:
+            return StudyDetail.model_validate(answer)
+        study = get(session, _store(session, request, rows))
+        if key is not None:
+            idempotency.remember(session, key, digest, study.model_dump(mode="json"))
+    if study.cases.queued:
+        context.doorbell.ring()
+    return study
+
+
+def expand(request: StudyRequest, limit: int) -> list[Case]:
+    """The cases of a study, counted before they are made.
+
+    Raises
+    ------
+    Problem
+        422 if there are more than the limit, or the values contradict each other.
+    """
+    if (count := request.sweep.count()) > limit:
+        detail = f"The sweep has {count} cases; a study may have {limit} (max_cases_per_study)."
+        error = FieldProblem(pointer="/sweep", code="max-cases-per-study", detail=detail)
+        raise Problem(422, detail, code="max-cases-per-study", errors=[error])
+    try:
+        return request.expand()
+    except InvalidParameterError as error:
+        pointer = pointer_to_parameter(error.parameter)
+        field = FieldProblem(pointer=pointer, code="contradiction", detail=f"{error.parameter} {error.problem}")
+        raise Problem(422, f"{error.parameter} {error.problem}", errors=[field]) from None
+
+
+def get(session: Session, study_id: str) -> StudyDetail:
+    """One study.
+
+    Raises
+    ------
+    Problem
+        404 if there is none.
+    """
+    row = repository.find(session, study_id)
+    if row is None:
+        raise not_found("study")
+    definition = row.Study.request
+    return StudyDetail.model_validate(_summary(row) | {"finish": _estimate(session, row), "definition": definition})
+
+
+def list_page(session: Session, query: StudyQuery, max_page_size: int) -> StudyPage:
+    """A page of studies."""
+    rows, cursor = repository.find_page(session, query, max_page_size)
+    return StudyPage(items=[StudySummary.model_validate(_summary(row)) for row in rows], next_cursor=cursor)
+
+
+def _accept_one_at_a_time(session: Session) -> None:
+    """What SQLite's write lock does anyway: two studies that share new cases must not both insert them."""
+    if session.get_bind().dialect.name == "postgresql":
+        session.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": _ACCEPTING})
+
+
+def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, Any]]) -> str:
+    ids, reused = enqueue(session, rows, keep_history=request.keep_history)
+    study = Study(
+        id=uuid4().hex,
+        name=request.name,
+        labels=request.labels,
+        priority=request.priority,
+        keep_history=request.keep_history,
+        request=request.model_dump(mode="json", exclude_unset=True),
+        cases_reused=reused,
+    )
+    session.add(study)
+    session.flush()  # before the rows that refer to it
+    events.record(session, study.id, "state", {"state": "queued"})
+    places = [{"study_id": study.id, "case_id": ids[digest], "position": n} for n, digest in enumerate(rows)]
+    session.execute(insert(StudyCase), places)
+    events.finish_if_done(session, study.id)
+    return study.id
+
+
+def _summary(row: Row[Any]) -> dict[str, Any]:
+    columns = {name: getattr(row.Study, name) for name in StudySummary.model_fields if hasattr(row.Study, name)}
+    counts = {name: getattr(row, name) for name in CaseCounts.model_fields}
+    unfinished = counts["queued"] + counts["running"] > 0
+    return columns | {
+        "state": row.state,
+        "progress": row.progress,
+        "cases": counts,
+        "finished_at": None if unfinished else row.Study.finished_at,
+    }
+
+
+def _estimate(session: Session, row: Row[Any]) -> FinishEstimate | None:
+    """From how long the study's computed cases took, the queue before it and the workers at work.
+
+    The interval is twice the standard deviation of a sum of that many independent cases.
+    """
+    if row.mean_s is None or row.queued + row.running == 0:
+        return None
+    cases = (1 - row.progress) * row.total + repository.cases_ahead(session, row.Study.id, row.Study.priority)
+    workers = max(1, repository.active_workers(session))
+    spread = 2 * math.sqrt(max(0.0, row.mean_square_s2 - row.mean_s**2) * cases) / workers
+    expected = cases * row.mean_s / workers
+    now = datetime.fromtimestamp(session.scalars(select(Clock())).one(), UTC)
+    earliest, latest = max(0.0, expected - spread), expected + spread
+    return FinishEstimate(
+        expected=now + timedelta(seconds=expected),
+        earliest=now + timedelta(seconds=earliest),
+        latest=now + timedelta(seconds=latest),
+    )
