@@ -1,6 +1,5 @@
 """Commands of the program that run the service or its parts. What they need is imported when they run."""
 
-import logging
 import socket
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -21,11 +20,12 @@ def serve(
     workers: Annotated[int | None, typer.Option(help="Worker processes; each computes on one core.")] = None,
 ) -> None:
     """Run the whole service: database, broker, API and workers. Ctrl-C stops all of it."""
+    from app import log
     from app.console import FAILED, WRONG_USAGE, fail
     from app.serve.service import CannotServeError, serve
     from app.serve.supervisor import PartFailedError
 
-    _log_lines()
+    log.configure()
     try:
         serve(load_settings(data_dir=data, host=host, port=port, workers=workers))
     except CannotServeError as error:
@@ -68,21 +68,3 @@ def load_settings(**given: Any) -> "Settings":
     except ValidationError as error:
         problems = [(".".join(map(str, each["loc"])), each["msg"]) for each in error.errors()]
         fail_with_problems("These settings are wrong:", problems)
-
-
-def _log_lines() -> None:
-    """One line per event on standard error."""
-    import sys
-
-    import structlog
-
-    structlog.configure(
-        processors=[
-            structlog.contextvars.merge_contextvars,
-            structlog.processors.add_log_level,
-            structlog.processors.TimeStamper(fmt="iso"),
-            structlog.dev.ConsoleRenderer(colors=sys.stderr.isatty()),
-        ],
-        wrapper_class=structlog.make_filtering_bound_logger(logging.INFO),
-        logger_factory=structlog.PrintLoggerFactory(sys.stderr),
-    )

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from app.cli import load_settings, service
+from app.remote.cli import remote
 
 program = typer.Typer(
     name="tracksweep",
@@ -16,6 +17,7 @@ program = typer.Typer(
     pretty_exceptions_enable=False,
 )
 program.add_typer(service)
+program.add_typer(remote)
 
 
 @program.command()

@@ -85,7 +85,7 @@ def _stages(settings: Settings, listener: socket.socket) -> list[list[Part]]:
     async def api_ready() -> bool:
         with suppress(httpx.HTTPError):
             async with httpx.AsyncClient(trust_env=False, timeout=2) as client:
-                return (await client.get(f"{url}/healthz")).is_success
+                return (await client.get(f"{url}/readyz")).is_success
         return False
 
     descriptor = listener.fileno()

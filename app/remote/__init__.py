@@ -1,0 +1,1 @@
+"""A running service, as the program's commands talk to it."""
