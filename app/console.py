@@ -3,6 +3,7 @@
 import math
 import sys
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any, NoReturn
 
 from rich.console import Console
@@ -10,11 +11,11 @@ from rich.table import Table
 
 DONE, FAILED, WRONG_USAGE = 0, 1, 2
 
-out = Console()
+out = Console(width=None if sys.stdout.isatty() else 140)  # in a file, lines need not fit a window
 err = Console(stderr=True)
 
-# Unit of a peak, what people call it, and how many of the latter make one of the former.
-SHOWN_IN = {"m": ("mm", 1e3), "N": ("kN", 1e-3), "m/s^2": ("m/s²", 1.0)}
+# Unit of a peak, the unit people use, and the factor to it.
+SHOWN_IN = {"m": ("mm", 1e3), "N": ("kN", 1e-3), "m/s^2": ("m/s²", 1.0), "1": ("–", 1.0)}
 SIGNIFICANT_DIGITS = 4
 
 
@@ -29,13 +30,25 @@ def fail_with_problems(summary: str, problems: Iterable[tuple[str, str]], exit_c
     fail("\n".join([summary, *(f"  {field}: {problem}" for field, problem in problems)]), exit_code)
 
 
-def shown(value: float, unit: str) -> tuple[str, str]:
-    """A value in the unit people use, with four digits, and that unit."""
-    name, factor = SHOWN_IN.get(unit, (unit, 1.0))
-    value *= factor
+def read_file(path: Path) -> bytes:
+    """What a file holds, or the end of the program."""
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        fail(f"Cannot read {path}: {error.strerror}.", WRONG_USAGE)
+
+
+def shown_unit(unit: str) -> tuple[str, float]:
+    """The unit people use for values in an SI unit, and the factor to it."""
+    return SHOWN_IN.get(unit, (unit, 1.0))
+
+
+def shown(value: float, unit: str) -> str:
+    """A value in the unit people use, with four digits."""
+    value *= shown_unit(unit)[1]
     if value == 0 or not math.isfinite(value):
-        return f"{value:g}", name
-    return f"{value:.{max(0, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(abs(value))))}f}", name
+        return f"{value:g}"
+    return f"{value:.{max(0, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(abs(value))))}f}"
 
 
 def peaks_table(rows: Iterable[Mapping[str, Any]], conditions: Mapping[str, str] | None = None) -> Table:
@@ -50,12 +63,12 @@ def peaks_table(rows: Iterable[Mapping[str, Any]], conditions: Mapping[str, str]
         table.add_column(heading, justify="right")
     table.add_column("unit")
     for row in rows:
-        values = [shown(row[key], row["unit"])[0] for key in ("peak", "maximum", "minimum", "rms")]
+        values = [shown(row[key], row["unit"]) for key in ("peak", "maximum", "minimum", "rms")]
         table.add_row(
             *(f"{row[key]:g}" if isinstance(row[key], float) else str(row[key]) for key in conditions),
             row["quantity"].replace("_", " "),
             row["position"].replace("_", " "),
             *values,
-            shown(0, row["unit"])[1],
+            shown_unit(row["unit"])[0],
         )
     return table
