@@ -1,13 +1,16 @@
 """The doorbell: tells workers that there are queued cases. The queue itself is the table ``case``."""
 
+from typing import Any
+
 import structlog
 from celery import Celery
-from kombu.exceptions import KombuError
+from kombu.connection import Connection
+from kombu.exceptions import ChannelError, KombuError
 
 from app.settings import Settings
 
 WORK = "tracksweep.work"
-BELL_EXPIRES_S = 60.0  # an older bell says nothing new: the sweeper has rung since
+QUEUE = "tracksweep"
 
 log = structlog.get_logger()
 
@@ -19,7 +22,7 @@ def broker_client(settings: Settings) -> Celery:
         accept_content=["json"],
         task_serializer="json",
         task_ignore_result=True,
-        task_default_queue="tracksweep",
+        task_default_queue=QUEUE,
         broker_transport_options={"socket_connect_timeout": 2, "socket_timeout": 5, "max_retries": 0},
     )
     return client
@@ -32,13 +35,23 @@ class Doorbell:
         self._client = broker_client(settings)
 
     def ring(self) -> bool:
-        """Wake a worker. A broker that is away costs latency and nothing else: the sweeper rings again.
+        """Wake a worker, unless a bell is waiting for one already: a worker that finds work rings for the next.
 
-        Call it after the commit, or the worker may look before there is anything to see.
+        A broker that is away costs latency and nothing else, as the sweeper rings again. Call it after the commit,
+        or the worker may look before there is anything to see.
         """
         try:
-            self._client.send_task(WORK, expires=BELL_EXPIRES_S, retry=False)
+            with self._client.connection_for_write() as connection:
+                if not self._waiting(connection):
+                    self._client.send_task(WORK, connection=connection, retry=False)
         except (KombuError, OSError) as error:
             log.warning("broker unavailable", error=str(error))
             return False
         return True
+
+    def _waiting(self, connection: Connection) -> bool:
+        channel: Any = connection.default_channel
+        try:
+            return bool(channel.queue_declare(QUEUE, passive=True).message_count)
+        except ChannelError:  # nobody has rung or listened yet
+            return False

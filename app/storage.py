@@ -1,11 +1,14 @@
 """The history store: immutable objects in a folder or a bucket."""
 
 from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
 from urllib.parse import urlsplit
 
+from obstore.exceptions import BaseError
 from obstore.store import LocalStore, ObjectStore, from_url
 
 HISTORY_MEDIA_TYPE = "application/octet-stream"
+STORE_ERRORS = (OSError, BaseError)
 
 
 class HistoryStore:
@@ -24,7 +27,7 @@ class HistoryStore:
 
         Raises
         ------
-        FileNotFoundError
+        obstore.exceptions.NotFoundError
             There is no such object.
         """
         return (bytes(chunk) for chunk in self._store.get(key).stream())
@@ -32,3 +35,8 @@ class HistoryStore:
     def delete(self, key: str) -> None:
         """Remove an object."""
         self._store.delete(key)
+
+    def keys_older_than(self, age_s: float) -> Iterator[str]:
+        """Keys of objects written longer ago, give or take how much its clock differs from ours."""
+        before = datetime.now(UTC) - timedelta(seconds=age_s)
+        return (each["path"] for batch in self._store.list() for each in batch if each["last_modified"] < before)

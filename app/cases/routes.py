@@ -10,7 +10,7 @@ from app.cases.views import CaseDetail, CasePage, CaseQuery
 from app.conditional import is_known
 from app.context import ContextDep
 from app.problems import RETRY_AFTER_S, Problem
-from app.storage import HISTORY_MEDIA_TYPE
+from app.storage import HISTORY_MEDIA_TYPE, STORE_ERRORS
 from app.studies.routes import StudyId
 
 router = APIRouter(prefix="/v1", tags=["cases"])
@@ -53,7 +53,7 @@ def download_history(case_id: CaseId, context: ContextDep, request: Request) -> 
         return Response(status_code=304, headers=headers)
     try:
         chunks = context.histories.read(history.key)
-    except OSError as error:
+    except STORE_ERRORS as error:
         detail = f"The history store does not answer: {type(error).__name__}."
         raise Problem(503, detail, headers={"Retry-After": str(RETRY_AFTER_S)}) from error
     headers["Content-Length"] = str(history.size_bytes)

@@ -1,0 +1,22 @@
+"""Time histories as one NumPy archive."""
+
+import io
+
+import numpy as np
+
+from solver.simulate import Response
+
+
+def archive(response: Response) -> bytes:
+    """The histories of a response, single precision, with quantity, position and unit of each row of ``values``."""
+    file = io.BytesIO()
+    np.savez_compressed(
+        file,
+        time_s=response.time.astype(np.float32),
+        track_position_m=response.track_position.astype(np.float32),
+        values=response.values.astype(np.float32),
+        quantity=np.array([channel.quantity for channel in response.channels]),
+        position=np.array([channel.position for channel in response.channels]),
+        unit=np.array([channel.unit for channel in response.channels]),
+    )
+    return file.getvalue()

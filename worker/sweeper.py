@@ -1,0 +1,91 @@
+"""What a crash leaves behind: leases that ran out, bells that were lost, histories nobody tells of."""
+
+import threading
+
+import structlog
+from sqlalchemy import delete, exists, select
+from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.orm import Session
+
+from app.db.models import Case, History, IdempotencyKey
+from app.db.session import Database
+from app.db.types import Clock
+from app.idempotency import KEPT_S
+from app.queue import Doorbell
+from app.settings import Settings
+from app.storage import STORE_ERRORS, HistoryStore
+from worker import lease
+
+LONGEST_PAUSE_S = 5.0
+ORPHANED_AFTER_S = 3600.0  # an object this old, of which no row tells, will never be told of
+
+log = structlog.get_logger()
+
+
+def sweep(session: Session, max_attempts: int) -> bool:
+    """Queue again, or call poison, the cases of workers that fell silent. Returns whether any case is queued.
+
+    Any number of sweepers may do this at once.
+    """
+    silent = (
+        select(Case.id, Case.lease_token, Case.attempt, Case.worker)
+        .where(Case.state == "running", Case.lease_expires < Clock())
+        .with_for_update(skip_locked=True, key_share=True)
+    )
+    for row in session.execute(silent).all():
+        held = lease.Lease(case_id=row.id, token=row.lease_token, attempt=row.attempt)
+        log.warning("lease expired", case_id=row.id, attempt=row.attempt, worker=row.worker)
+        lease.give_up(session, held, max_attempts, f"worker {row.worker} fell silent")
+    session.execute(delete(IdempotencyKey).where(IdempotencyKey.created_at < Clock() - KEPT_S))
+    return bool(session.scalar(select(exists(select(Case.id).where(Case.state == "queued")))))
+
+
+def collect_orphans(session: Session, histories: HistoryStore) -> int:
+    """Delete old objects of the history store that no row tells of. Returns how many."""
+    told = set(session.scalars(select(History.key)))
+    orphans = [key for key in histories.keys_older_than(ORPHANED_AFTER_S) if key not in told]
+    for key in orphans:
+        histories.delete(key)
+    return len(orphans)
+
+
+class Sweeper:
+    """Sweeps every few seconds, in a thread, for as long as the process lives.
+
+    Every worker has one, so that there is one wherever there is anybody to do the work.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._database = Database(settings.resolved_database_url)
+        self._doorbell = Doorbell(settings)
+        self._histories = HistoryStore(settings.resolved_storage_url)
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="sweeper", daemon=True)
+
+    def start(self) -> None:
+        """Begin."""
+        self._thread.start()
+
+    def stop(self) -> None:
+        """End, once the sweep at hand is done."""
+        self._over.set()
+        self._thread.join()
+        self._database.engine.dispose()
+
+    def _run(self) -> None:
+        try:
+            with self._database.read() as session:
+                collect_orphans(session, self._histories)
+        except (SQLAlchemyError, *STORE_ERRORS) as error:
+            log.warning("orphans not collected", error=str(error))
+        while True:
+            try:
+                with self._database.write() as session:
+                    queued = sweep(session, self._settings.max_attempts)
+                if queued:
+                    self._doorbell.ring()
+            except SQLAlchemyError as error:
+                log.warning("sweep failed", error=str(error))
+            if self._over.wait(min(self._settings.lease_s / 3, LONGEST_PAUSE_S)):
+                return

@@ -1,0 +1,38 @@
+"""What the bell sets off."""
+
+import threading
+from functools import cache
+from typing import Any
+
+from celery.signals import worker_ready, worker_shutting_down
+
+from app import log
+from app.queue import WORK
+from worker.celery import SETTINGS, app
+from worker.compute import Worker
+from worker.sweeper import Sweeper
+
+stopping = threading.Event()
+
+
+@cache
+def this_worker() -> Worker:
+    """The worker that this process is."""
+    return Worker(SETTINGS, stopping)
+
+
+@app.task(name=WORK)  # type: ignore[untyped-decorator]  # Celery has no types
+def work() -> None:
+    """Compute whatever is queued."""
+    this_worker().drain()
+
+
+@worker_ready.connect  # type: ignore[untyped-decorator]  # as above
+def _start(**_: Any) -> None:
+    log.configure()
+    Sweeper(SETTINGS).start()
+
+
+@worker_shutting_down.connect  # type: ignore[untyped-decorator]  # as above
+def _stop(**_: Any) -> None:
+    stopping.set()
