@@ -6,9 +6,9 @@ cell, because the factors of a periodic matrix are themselves periodic after a f
 """
 
 import numpy as np
-from numba import njit
-from numpy.typing import NDArray
 
+from solver.arrays import Array
+from solver.compiled import compiled
 from solver.simd import fma, load, scale, store, subtract, zero
 
 HALF_BANDWIDTH = 9
@@ -16,10 +16,8 @@ HALF_BANDWIDTH = 9
 # entries of the upper factor above the pivot, nearest first.
 FACTOR_COLUMNS = 2 * HALF_BANDWIDTH + 1
 
-Array = NDArray[np.float64]
 
-
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+@compiled
 def factorise(band: Array) -> Array:
     """LU factors of a banded matrix.
 
@@ -47,8 +45,8 @@ def factorise(band: Array) -> Array:
     return factors
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def substitute(blocks: Array, block_of_cell: NDArray[np.int64], x: Array, lanes: tuple[float, ...]) -> None:
+@compiled
+def substitute(blocks: Array, block_of_cell: Array, x: Array, lanes: tuple[float, ...]) -> None:
     """Solve in place for all lanes.
 
     Nine running sums hold what the rows already solved contribute to the next nine rows, so every row

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from solver.banded import Array
+from solver.arrays import Array
 from solver.case import Case
 from solver.channels import CHANNELS
 from solver.contact import WHEELS, hertz_constant
@@ -15,7 +15,7 @@ from solver.kernels import advance, stencils
 from solver.march import SIZE, Operator, State, Vehicles, march
 from solver.periodic import periodic_operator
 from solver.start import static_equilibrium
-from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
+from solver.track import NODE, TrackModel
 from solver.vehicle import vehicle_matrices, wheel_positions
 
 MAX_LANES = 8
@@ -60,7 +60,7 @@ class Block:
 
     def track_position(self, step: Array) -> Array:
         """Position of the first wheel after some steps, m."""
-        return np.asarray(step * self.case.time_step * self.case.speed)
+        return step * self.case.time_step * self.case.speed
 
     def _irregularity(self) -> Array:
         """Irregularity under every wheel at every step, eased in, shape (steps, 4, lanes)."""
@@ -79,7 +79,7 @@ class Block:
         lanes = len(self.cases)
         at_rest = [static_equilibrium(case.vehicle, compliance) for case in self.cases]
         displacement, penetration, force = (np.array(part) for part in zip(*at_rest, strict=True))
-        x = np.ascontiguousarray(steady @ force.T)
+        x = np.stack([steady @ lane for lane in force], axis=1)  # lane by lane: a lane must not know its neighbours
         state = State(
             x=x,
             u=x.copy(),

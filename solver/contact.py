@@ -1,10 +1,10 @@
 """Wheel-rail contact after Hertz, solved inside the step for the four wheels of a lane together."""
 
 import numpy as np
-from numba import njit
 
-from solver.banded import Array
+from solver.arrays import Array
 from solver.case import Vehicle
+from solver.compiled import compiled
 
 WHEELS = 4
 _ITERATIONS = 60
@@ -25,7 +25,7 @@ def hertz_stiffness(constant: float, force: float) -> float:
     return 1.5 * force ** (1 / 3) / constant
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+@compiled
 def close_contacts(approach: Array, compliance: Array, constant: float, penetration: Array, force: Array) -> bool:
     """Penetrations and forces that agree with the compliances of vehicle and track.
 
@@ -70,14 +70,14 @@ def close_contacts(approach: Array, compliance: Array, constant: float, penetrat
                 step[row] -= factor * step[i]
                 for j in range(i, WHEELS):
                     jacobian[row, j] -= factor * jacobian[i, j]
-        largest = 0.0
+        converged = True
         for i in range(WHEELS - 1, -1, -1):
             for j in range(i + 1, WHEELS):
                 step[i] -= jacobian[i, j] * step[j]
             step[i] /= jacobian[i, i]
             penetration[i] += step[i]
-            largest = max(largest, abs(step[i]))
-        if largest <= _TOLERANCE:
+            converged &= abs(step[i]) <= _TOLERANCE  # false for what is not a number
+        if converged:
             for j in range(WHEELS):
                 force[j] = np.sqrt(max(penetration[j], 0.0) / constant) ** 3
             return True

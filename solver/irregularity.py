@@ -3,12 +3,10 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from solver.arrays import Array
 from solver.case import Harmonic, Irregularity, Smooth, Spectral
 from solver.catalogue import SPECTRA, PowerLaw
-
-Array = NDArray[np.float64]
 
 # Components of a realisation stand 1/2048 m apart whatever the band, the speed and the window, so that equal seeds mean
 # the same track, and a narrower band the same track without the rest.
@@ -18,7 +16,7 @@ FREQUENCY_STEP = 1 / 2048
 def spectral_density(spectrum: PowerLaw, frequency: Array) -> Array:
     """One-sided spatial PSD, m^2/(1/m), at frequencies in 1/m."""
     piece = np.searchsorted(spectrum.breaks, frequency, side="right")
-    return np.asarray(np.take(spectrum.coefficients, piece) / frequency ** np.take(spectrum.exponents, piece))
+    return np.take(spectrum.coefficients, piece) / frequency ** np.take(spectrum.exponents, piece)
 
 
 def variance_between(spectrum: PowerLaw, edges: Array) -> Array:
@@ -40,7 +38,7 @@ def _uniform_phases(seed: int, realisation: int, first: int, count: int) -> Arra
     """Random phases of the components first, first + 1, …: bits of PCG64, the same on any machine."""
     bits = np.random.PCG64(np.random.SeedSequence([seed, realisation]))
     bits.advance(first)
-    return np.asarray((bits.random_raw(count) >> np.uint64(11)) * (2 * np.pi / 2**53))
+    return (bits.random_raw(count) >> np.uint64(11)) * (2 * np.pi / 2**53)
 
 
 def components(irregularity: Irregularity) -> tuple[Array, Array, Array]:
@@ -74,4 +72,4 @@ def sample(irregularity: Irregularity, start: float, spacing: float, count: int)
     omega = 2j * np.pi * frequency
     left = np.exp(np.outer(start + spacing * fine * np.arange(coarse), omega) + 1j * phase) * amplitude
     right = np.exp(np.outer(omega, spacing * np.arange(fine)))
-    return np.asarray((left @ right).real.ravel()[:count])
+    return (left @ right).real.ravel()[:count]

@@ -4,17 +4,19 @@
 state between two steps is the pair of predictors (see :mod:`solver.integrator`), accelerations are never stored.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
-from numpy.typing import NDArray
 
-from solver.banded import Array
+from solver.arrays import Array
 from solver.beam import HermiteElement
+from solver.compiled import compiled
 from solver.integrator import Integrator
 from solver.simd import add, fma, load, scale, store, subtract, zero
 from solver.track import NODE, TrackModel
+
+Vector = Any  # lanes in a register
+Lanes = tuple[float, ...]
 
 
 class Stencils(NamedTuple):
@@ -32,11 +34,11 @@ class Stencils(NamedTuple):
     element_mass: Array  # (4, 4)
     absorption: Array  # (elements,) roadbed damping added
     spread_damping: Array  # (elements,) pad damping per length where pads are spread
-    end_elements: NDArray[np.int64]
+    end_elements: Array
     first_pad_cell: int
     pad_cells: int
     elements_per_pad: int
-    pad_element: NDArray[np.int64]  # (phases,)
+    pad_element: Array  # (phases,)
     pad_weights: Array  # (phases, 4)
 
 
@@ -76,8 +78,8 @@ def _convection_stencil(element: HermiteElement) -> Array:
     return np.r_[c[0, 1] + c[2, 3], c[1, 0] + c[3, 2], c[2:, :2].ravel(), c[:2, 2:].ravel()]
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _spread(m, g, s0, s1, q0, q1):  # type: ignore[no-untyped-def]  # vectors have no Python type
+@compiled
+def _spread(m: Array, g: Array, s0: Vector, s1: Vector, q0: Vector, q1: Vector) -> tuple[Vector, ...]:
     """What a beam's node adds to the node before, itself and the node after, for ``mass s + convection q``."""
     before0 = fma(m[6], s0, fma(m[7], s1, fma(g[6], q0, scale(g[7], q1))))
     before1 = fma(m[8], s0, fma(m[9], s1, fma(g[8], q0, scale(g[9], q1))))
@@ -88,8 +90,8 @@ def _spread(m, g, s0, s1, q0, q1):  # type: ignore[no-untyped-def]  # vectors ha
     return before0, before1, own0, own1, after0, after1
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _step(k, x, u, v, row, lanes):  # type: ignore[no-untyped-def]
+@compiled
+def _step(k: Integrator, x: Array, u: Array, v: Array, row: int, lanes: Lanes) -> tuple[Vector, Vector]:
     """Update the predictors of one row; return its p and q."""
     pu = load(u, row, lanes)
     displacement = load(x, row, lanes)
@@ -102,8 +104,8 @@ def _step(k, x, u, v, row, lanes):  # type: ignore[no-untyped-def]
     return fma(-k.alpha, acceleration, scale(k.inertia, pu)), subtract(scale(k.damping, pu), pv)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array, r: Array, lanes: tuple[float, ...]) -> None:
+@compiled
+def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
     """One step's solution to the next step's right-hand side.
 
     Parameters
@@ -167,24 +169,24 @@ def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array
         store(r, i, none)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _q(k, u, v, row, lanes):  # type: ignore[no-untyped-def]
+@compiled
+def _q(k: Integrator, u: Array, v: Array, row: int, lanes: Lanes) -> Vector:
     return subtract(scale(k.damping, load(u, row, lanes)), load(v, row, lanes))
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _stretch(k, u, v, row, lanes):  # type: ignore[no-untyped-def]
-    """q of the rail relative to the slab."""
+@compiled
+def _stretch(k: Integrator, u: Array, v: Array, row: int, lanes: Lanes) -> Vector:
+    """Q of the rail relative to the slab."""
     return subtract(_q(k, u, v, row, lanes), _q(k, u, v, row + 2, lanes))
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _accumulate(r, row, factor, vector, lanes):  # type: ignore[no-untyped-def]
+@compiled
+def _accumulate(r: Array, row: int, factor: float, vector: Vector, lanes: Lanes) -> None:
     store(r, row, fma(factor, vector, load(r, row, lanes)))
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _add_ends(k, c, u, v, r, lanes):  # type: ignore[no-untyped-def]
+@compiled
+def _add_ends(k: Integrator, c: Stencils, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
     """Spread pads and absorption."""
     m = c.element_mass
     for element in c.end_elements:
@@ -206,8 +208,8 @@ def _add_ends(k, c, u, v, r, lanes):  # type: ignore[no-untyped-def]
             _accumulate(r, target + 4, c.absorption[element], roadbed, lanes)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _add_pads(k, c, phase, u, v, r, lanes):  # type: ignore[no-untyped-def]
+@compiled
+def _add_pads(k: Integrator, c: Stencils, phase: int, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
     """Dampers of the pads at a phase."""
     n = c.pad_weights[phase]
     for cell in range(c.first_pad_cell, c.first_pad_cell + c.pad_cells):
@@ -222,8 +224,8 @@ def _add_pads(k, c, phase, u, v, r, lanes):  # type: ignore[no-untyped-def]
             _accumulate(r, target + 2, -n[i], force, lanes)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def add_window(x, window, start, force, lanes):  # type: ignore[no-untyped-def]
+@compiled
+def add_window(x: Array, window: Array, start: int, force: Vector, lanes: Lanes) -> None:
     """Add a wheel's window, times its force in every lane, to the displacements."""
     for i in range(window.shape[0]):
         store(x, start + i, fma(window[i], force, load(x, start + i, lanes)))

@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
-from numpy.typing import NDArray
 
-from solver.banded import Array, substitute
+from solver.arrays import Array
+from solver.banded import substitute
 from solver.channels import BODIES, TRACK
+from solver.compiled import compiled
 from solver.contact import WHEELS, close_contacts
 from solver.integrator import Integrator
 from solver.kernels import Stencils, add_window, advance
@@ -22,11 +22,11 @@ class Operator(NamedTuple):
     """The track's side of a step; see :class:`solver.periodic.PeriodicOperator`."""
 
     blocks: Array
-    block_of_cell: NDArray[np.int64]
-    window_start: NDArray[np.int64]
+    block_of_cell: Array
+    window_start: Array
     windows: Array
     compliance: Array
-    wheel_row: NDArray[np.int64]  # (4,) first row of the two nodes around a wheel
+    wheel_row: Array  # (4,) first row of the two nodes around a wheel
     wheel_shape: Array  # (4, 4) rail shape functions under a wheel
     point_shape: Array  # (3, 4) shape functions and their first two derivatives under the first wheel
     curvature_per_force: float  # what the load inside its element adds to the rail's second derivative, 1/(m N)
@@ -55,11 +55,20 @@ class State(NamedTuple):
     point_a: Array  # (12, lanes) accelerations of the two nodes around the first wheel
     penetration: Array  # (lanes, 4)
     force: Array  # (4, lanes)
-    failed: NDArray[np.bool_]  # (lanes,)
+    failed: Array  # (lanes,)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _couple_vehicle(k, op, vehicles, state, phase, eta, lane, accelerations):  # type: ignore[no-untyped-def]
+@compiled
+def _couple_vehicle(
+    k: Integrator,
+    op: Operator,
+    vehicles: Vehicles,
+    state: State,
+    phase: int,
+    eta: Array,
+    lane: int,
+    accelerations: Array,
+) -> None:
     """Vehicle and contact forces of one lane at the end of the step."""
     u, v, a = state.vehicle_u[lane], state.vehicle_v[lane], state.vehicle_a[lane]
     load_ = np.empty(SIZE)
@@ -99,8 +108,8 @@ def _couple_vehicle(k, op, vehicles, state, phase, eta, lane, accelerations):  #
         state.force[j, lane] = force[j]
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
-def _record_track(k, op, state, lane, out):  # type: ignore[no-untyped-def]
+@compiled
+def _record_track(k: Integrator, op: Operator, state: State, lane: int, out: Array) -> None:
     """Displacement and material acceleration of rail, slab and base under the first wheel."""
     row = op.wheel_row[0]
     n = op.point_shape
@@ -125,7 +134,7 @@ def _record_track(k, op, state, lane, out):  # type: ignore[no-untyped-def]
             out[TRACK + 1 + 2 * beam], out[TRACK + 2 + 2 * beam] = displacement, material
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]  # Numba is untyped
+@compiled
 def march(
     k: Integrator,
     c: Stencils,

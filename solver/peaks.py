@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from solver.arrays import Array
 from solver.channels import Channel
 from solver.simulate import Response
 from solver.vehicle import static_wheel_load
@@ -49,7 +49,7 @@ def peaks(response: Response) -> list[Peak]:
     return [_peak(response, channel, values) for channel, values in _histories(response)]
 
 
-def _histories(response: Response) -> Iterator[tuple[Channel, NDArray[np.float64]]]:
+def _histories(response: Response) -> Iterator[tuple[Channel, Array]]:
     """The recorded channels and those derived from them."""
     recorded = list(zip(response.channels, response.values, strict=True))
     yield from recorded
@@ -60,7 +60,7 @@ def _histories(response: Response) -> Iterator[tuple[Channel, NDArray[np.float64
             yield Channel(quantity="contact_loss", position=channel.position, unit="1"), (force <= 0).astype(float)
 
 
-def _peak(response: Response, channel: Channel, values: NDArray[np.float64]) -> Peak:
+def _peak(response: Response, channel: Channel, values: Array) -> Peak:
     size = values if channel.quantity in _ONE_SIDED else np.abs(values)
     at = int(np.argmax(size))
     return Peak(

@@ -9,13 +9,11 @@ phase. The inverse is local as well: what a wheel's force does within one step i
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from solver.arrays import Array
 from solver.banded import FACTOR_COLUMNS, factorise, substitute
 from solver.integrator import Integrator
 from solver.track import NODE, RAIL, TrackModel
-
-Array = NDArray[np.float64]
 
 FACTOR_TOLERANCE = 1e-12  # relative change of the factors from one cell to the next that counts as periodic
 WINDOW_TOLERANCE = 1e-13  # part of a window's largest entry below which it is cut
@@ -40,8 +38,8 @@ class PeriodicOperator:
     """
 
     blocks: Array
-    block_of_cell: NDArray[np.int64]
-    window_start: NDArray[np.int64]
+    block_of_cell: Array
+    window_start: Array
     windows: Array
     compliance: Array
 
@@ -94,30 +92,32 @@ def _alike(block: Array, other: Array) -> bool:
     return bool(np.all(np.abs(block - other) <= FACTOR_TOLERANCE * scale))
 
 
-def _block_table(model: TrackModel, transition: int) -> NDArray[np.int64]:
+def _block_table(model: TrackModel, transition: int) -> Array:
     """Which block serves each cell at each phase, shape (phases, cells)."""
     ends, interior = model.absorbing_cells, model.cells - 2 * model.absorbing_cells
     own, from_right = min(transition, interior), min(transition, ends)
     fixed = 2 * ends - from_right
     phase = np.arange(model.case.phases)[:, None]
-    moving = fixed + phase * (own + from_right) + np.r_[np.minimum(np.arange(interior), own - 1), own + np.arange(from_right)]
+    moving = (
+        fixed
+        + phase * (own + from_right)
+        + np.r_[np.minimum(np.arange(interior), own - 1), own + np.arange(from_right)]
+    )
     still = np.broadcast_to(np.arange(fixed), (len(phase), fixed))
     return np.ascontiguousarray(np.hstack([still[:, :ends], moving, still[:, ends:]]))
 
 
-def _windows(
-    model: TrackModel, wheels: Array, blocks: Array, table: NDArray[np.int64]
-) -> tuple[NDArray[np.int64], Array, Array]:
+def _windows(model: TrackModel, wheels: Array, blocks: Array, table: Array) -> tuple[Array, Array, Array]:
     """Windows of the inverse under each wheel, and the compliances between the wheels."""
     loads = model.unit_loads(wheels)
     points = [model.point(position, RAIL) for position in wheels]
     lanes = (0.0,) * len(wheels)
     half = 0
-    windows = np.empty(0)
+    windows: Array = np.empty((0, 0, 0))
     compliance = np.empty((len(table), len(wheels), len(wheels)))
     start = np.zeros(len(wheels), np.int64)
     for phase, block_of_cell in enumerate(table):
-        response = loads.copy()
+        response: Array = loads.copy()
         substitute(blocks, block_of_cell, response, lanes)
         if phase == 0:
             half = max(_reach(response[:, j], row) for j, (row, _) in enumerate(points))

@@ -93,8 +93,10 @@ def quantities(cls: type) -> Iterator[tuple[str, str, Quantity]]:
 
 
 class Checked:
-    """Base of the physical dataclasses: numbers become their declared type and meet their bounds, or
-    construction raises :class:`InvalidParameterError`."""
+    """Base of the physical dataclasses: numbers get their declared type and must meet their bounds.
+
+    Construction raises :class:`InvalidParameterError` where they do not.
+    """
 
     __slots__ = ()
     _path = ""

@@ -10,16 +10,18 @@ from typing import Any
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
-from numba.core.datamodel import models, register_default
-from numba.extending import intrinsic
+from numba.core.datamodel import models
+from numba.core.datamodel.registry import register_default
+
+from solver.compiled import emitted
 
 
-class Lanes(types.Type):  # type: ignore[misc]  # Numba is untyped
+class Lanes(types.Type):
     """A vector of ``width`` doubles."""
 
     def __init__(self, width: int) -> None:
         self.width = width
-        super().__init__(name=f"Lanes({width})")
+        super().__init__(name=f"Lanes({width})")  # type: ignore[no-untyped-call]  # Numba is untyped
 
 
 def _vector(width: int) -> ir.VectorType:
@@ -27,7 +29,7 @@ def _vector(width: int) -> ir.VectorType:
 
 
 @register_default(Lanes)
-class _LanesModel(models.PrimitiveModel):  # type: ignore[misc]  # Numba is untyped
+class _LanesModel(models.PrimitiveModel):
     def __init__(self, dmm: Any, fe_type: Lanes) -> None:
         super().__init__(dmm, fe_type, _vector(fe_type.width))
 
@@ -44,7 +46,7 @@ def _broadcast(builder: Any, scalar: Any, width: int) -> Any:
     return builder.shuffle_vector(one, empty, ir.Constant(ir.VectorType(ir.IntType(32), width), [0] * width))
 
 
-@intrinsic
+@emitted
 def load(_typing: Any, array: Any, row: Any, lanes: Any) -> Any:
     """The lanes of one row of a (rows, lanes) array."""
 
@@ -54,20 +56,18 @@ def load(_typing: Any, array: Any, row: Any, lanes: Any) -> Any:
     return Lanes(lanes.count)(array, types.intp, lanes), codegen
 
 
-@intrinsic
+@emitted
 def store(_typing: Any, array: Any, row: Any, vector: Any) -> Any:
     """Write the lanes of one row."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        builder.store(
-            args[2], _address(context, builder, signature.args[0], args[0], args[1], vector.width), align=8
-        )
+        builder.store(args[2], _address(context, builder, signature.args[0], args[0], args[1], vector.width), align=8)
         return context.get_dummy_value()
 
     return types.void(array, types.intp, vector), codegen
 
 
-@intrinsic
+@emitted
 def zero(_typing: Any, lanes: Any) -> Any:
     """Zero in every lane."""
 
@@ -77,7 +77,7 @@ def zero(_typing: Any, lanes: Any) -> Any:
     return Lanes(lanes.count)(lanes), codegen
 
 
-@intrinsic
+@emitted
 def fma(_typing: Any, factor: Any, x: Any, y: Any) -> Any:
     """``factor * x + y`` for one factor common to all lanes, rounded once."""
 
@@ -91,7 +91,7 @@ def fma(_typing: Any, factor: Any, x: Any, y: Any) -> Any:
     return x(types.float64, x, y), codegen
 
 
-@intrinsic
+@emitted
 def scale(_typing: Any, factor: Any, x: Any) -> Any:
     """``factor * x`` for one factor common to all lanes."""
 
@@ -101,13 +101,13 @@ def scale(_typing: Any, factor: Any, x: Any) -> Any:
     return x(types.float64, x), codegen
 
 
-@intrinsic
+@emitted
 def subtract(_typing: Any, x: Any, y: Any) -> Any:
     """``x - y``, lane by lane."""
     return x(x, y), lambda _context, builder, _signature, args: builder.fsub(args[0], args[1])
 
 
-@intrinsic
+@emitted
 def add(_typing: Any, x: Any, y: Any) -> Any:
     """``x + y``, lane by lane."""
     return x(x, y), lambda _context, builder, _signature, args: builder.fadd(args[0], args[1])

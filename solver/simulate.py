@@ -5,8 +5,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from solver.arrays import Array
 from solver.block import MAX_LANES, Block
 from solver.case import Case
 from solver.channels import CHANNELS, Channel
@@ -44,10 +44,10 @@ class Response:
     """
 
     case: Case
-    time: NDArray[np.float64]
-    track_position: NDArray[np.float64]
+    time: Array
+    track_position: Array
     channels: tuple[Channel, ...]
-    values: NDArray[np.float64]
+    values: Array
     time_step: float
 
 

@@ -2,16 +2,17 @@
 
 import numpy as np
 
-from solver.banded import Array
+from solver.arrays import Array
 from solver.case import Vehicle
 from solver.contact import hertz_constant
-from solver.vehicle import SIZE, WHEELSETS, vehicle_matrices
-
-_ITERATIONS = 50
+from solver.vehicle import SIZE, WHEELSETS, static_wheel_load, vehicle_matrices
 
 
 def static_equilibrium(vehicle: Vehicle, compliance: Array) -> tuple[Array, Array, Array]:
     """Vehicle at rest on a rail that yields.
+
+    Bogies and car body hang on two springs each and are free to pitch, so every wheel carries the same however the
+    rail yields.
 
     Parameters
     ----------
@@ -28,23 +29,10 @@ def static_equilibrium(vehicle: Vehicle, compliance: Array) -> tuple[Array, Arra
     force : ndarray, shape (4,)
         Of the contacts, N.
     """
+    force = np.full(4, static_wheel_load(vehicle))
+    penetration = hertz_constant(vehicle) * force ** (2 / 3)
+    wheels = penetration + compliance @ force
     matrices = vehicle_matrices(vehicle)
-    bodies, wheels = np.arange(WHEELSETS.start), np.arange(WHEELSETS.start, SIZE)
-    k = matrices.stiffness
-    lifted = np.linalg.solve(k[np.ix_(bodies, bodies)], np.c_[k[np.ix_(bodies, wheels)], matrices.weight[bodies]])
-    springs = k[np.ix_(wheels, wheels)] - k[np.ix_(wheels, bodies)] @ lifted[:, :4]
-    weight = matrices.weight[wheels] - k[np.ix_(wheels, bodies)] @ lifted[:, 4]
-    constant = hertz_constant(vehicle)
-    penetration = constant * np.full(4, matrices.weight.sum() / 4) ** (2 / 3)
-    for _ in range(_ITERATIONS):
-        force = (penetration / constant) ** 1.5
-        slope = np.diag(1.5 * force / penetration)
-        residual = springs @ (penetration + compliance @ force) + force - weight
-        step = np.linalg.solve(springs @ (np.eye(4) + compliance @ slope) + slope, residual)
-        penetration = penetration - np.minimum(step, penetration / 2)  # stays in contact on the way
-        if np.abs(step).max() < 1e-16:
-            break
-    force = (penetration / constant) ** 1.5
-    wheel_displacement = penetration + compliance @ force
-    body_displacement = lifted[:, 4] - lifted[:, :4] @ wheel_displacement
-    return np.r_[body_displacement, wheel_displacement], penetration, force
+    body, wheelsets = slice(WHEELSETS.start), slice(WHEELSETS.start, SIZE)
+    load = matrices.weight[body] - matrices.stiffness[body, wheelsets] @ wheels
+    return np.r_[np.linalg.solve(matrices.stiffness[body, body], load), wheels], penetration, force

@@ -14,20 +14,18 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import solve_banded
 
+from solver.arrays import Array
 from solver.banded import HALF_BANDWIDTH
 from solver.beam import HermiteElement, hermite
 from solver.case import Case
-
-Array = NDArray[np.float64]
 
 RAIL, SLAB, BASE = 0, 1, 2
 NODE = 6  # unknowns per node
 
 
-def element_unknowns(beam: int) -> NDArray[np.int64]:
+def element_unknowns(beam: int) -> Array:
     """Where a beam's four unknowns stand among the twelve of two neighbouring nodes."""
     return np.array([0, 1, NODE, NODE + 1]) + 2 * beam
 
@@ -70,7 +68,7 @@ class TrackModel:
         return np.concatenate([rise[::-1], np.zeros(self.cells * per_cell - 2 * depth), rise])
 
     @cached_property
-    def spread_pads(self) -> NDArray[np.bool_]:
+    def spread_pads(self) -> Array:
         """Whether a cell has its pad spread evenly over its length."""
         cell = np.arange(self.cells)
         return (cell < self.absorbing_cells) | (cell >= self.cells - self.absorbing_cells)
@@ -103,7 +101,7 @@ class TrackModel:
         stiff = (t.pad_stiffness + damping_factor * t.pad_damping) * np.outer(n, n)
         return stiff - t.pad_damping * self.case.speed * np.outer(n, slope)
 
-    def _element_matrices(self, cells: NDArray[np.int64], inertia_factor: float, damping_factor: float) -> Array:
+    def _element_matrices(self, cells: Array, inertia_factor: float, damping_factor: float) -> Array:
         """Element matrices (elements, 12, 12) of some cells without their pads."""
         t, e, speed = self.case.track, self.element, self.case.speed
         beams = (
@@ -128,7 +126,7 @@ class TrackModel:
         is_spread = np.repeat(self.spread_pads[cells], per_cell)
         return common + extra[:, None, None] * absorbing + is_spread[:, None, None] * spread
 
-    def band(self, cells: NDArray[np.int64], inertia_factor: float = 0.0, damping_factor: float = 0.0) -> Array:
+    def band(self, cells: Array, inertia_factor: float = 0.0, damping_factor: float = 0.0) -> Array:
         """``inertia_factor * M + damping_factor * C + K`` of some cells in a row, without pads.
 
         Returns
@@ -147,7 +145,7 @@ class TrackModel:
             clamp_first_node(band)
         return band[:-NODE]
 
-    def add_pads(self, band: Array, cells: NDArray[np.int64], phase: int, damping_factor: float = 0.0) -> None:
+    def add_pads(self, band: Array, cells: Array, phase: int, damping_factor: float = 0.0) -> None:
         """Add the pads of a phase to a :meth:`band` of the same cells."""
         element, xi = self.pad_location(phase)
         pad = np.zeros((2 * NODE, 2 * NODE))
@@ -183,7 +181,7 @@ class TrackModel:
         for offset in range(-HALF_BANDWIDTH, HALF_BANDWIDTH + 1):
             diagonal = band[max(0, -offset) : len(band) - max(0, offset), HALF_BANDWIDTH + offset]
             upper_first[HALF_BANDWIDTH - offset, max(0, offset) : len(band) - max(0, -offset)] = diagonal
-        return np.asarray(solve_banded((HALF_BANDWIDTH, HALF_BANDWIDTH), upper_first, loads))
+        return solve_banded((HALF_BANDWIDTH, HALF_BANDWIDTH), upper_first, loads)
 
 
 def couple(matrix: Array, upper: int, lower: int, block: Array) -> None:

@@ -7,11 +7,9 @@ one to four from the front. Downwards and nose-down are positive; displacements 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from solver.arrays import Array
 from solver.case import Vehicle
-
-Array = NDArray[np.float64]
 
 GRAVITY = 9.81
 CAR_BODY, BOGIES, WHEELSETS = 0, (2, 4), slice(6, 10)

@@ -11,12 +11,9 @@ gives the four contact forces for an irregularity of unit amplitude.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from solver.arrays import Array
 from solver.case import Track, Vehicle
-
-Complex = NDArray[np.complex128]
-Array = NDArray[np.float64]
 
 LENGTH = 2048.0  # m after which the sum over wavenumbers repeats
 COUNT = 2**17  # wavenumbers: up to pi COUNT / LENGTH = 201 rad/m
@@ -30,7 +27,7 @@ class LayeredTrack:
     track: Track
     speed: float
 
-    def _layers(self, omega: float) -> tuple[Array, list[Complex], list[Complex]]:
+    def _layers(self, omega: float) -> tuple[Array, list[Array], list[Array]]:
         """Wavenumbers, diagonal and coupling terms of the (3, 3) dynamic stiffness."""
         t = self.track
         kappa = 2 * np.pi * np.fft.fftfreq(COUNT, LENGTH / COUNT)
@@ -48,26 +45,26 @@ class LayeredTrack:
         base = t.base_elastic_modulus * t.base_second_moment * kappa**4 - t.base_mass * rate**2 + mortar + roadbed
         return kappa, [rail, slab, base], [-pad, -mortar]
 
-    def receptances(self, omega: float, distance: Array) -> Complex:
+    def receptances(self, omega: float, distance: Array) -> Array:
         """Displacement of rail, slab and base, shape (3, n), at distances ahead of a unit force on the rail, m/N."""
         kappa, (rail, slab, base), (pad, mortar) = self._layers(omega)
         under_rail = slab - mortar**2 / base
         rail_response = 1 / (rail - pad**2 / under_rail)
         slab_response = -pad * rail_response / under_rail
         responses = np.array([rail_response, slab_response, -mortar * slab_response / base])
-        return np.asarray(responses @ np.exp(1j * np.outer(kappa, distance)) / LENGTH)
+        return responses @ np.exp(1j * np.outer(kappa, distance)) / LENGTH
 
     def static_deflection(self, forces: Array, positions: Array, at: float) -> Array:
         """Rail, slab and base displacement (3,) at one position under steady forces (N) elsewhere, m."""
-        return np.asarray(self.receptances(0.0, at - positions).real @ forces)
+        return self.receptances(0.0, at - positions).real @ forces
 
 
-def wheel_receptance(vehicle: Vehicle, omega: float) -> Complex:
+def wheel_receptance(vehicle: Vehicle, omega: float) -> Array:
     """Displacement of the four wheelsets, (4, 4), for unit forces on them, m/N; half a car, front wheelset first."""
     v = vehicle
     a, b = v.half_bogie_distance, v.half_wheelbase
     masses = [v.car_body_mass, v.car_body_pitch_inertia] + 2 * [v.bogie_mass, v.bogie_pitch_inertia]
-    dynamic = np.diag(np.array(masses + 4 * [v.wheelset_mass], complex)) * -(omega**2)
+    dynamic: Array = np.diag(np.array(masses + 4 * [v.wheelset_mass], complex)) * -(omega**2)
     primary, secondary = (
         v.primary_stiffness + 1j * omega * v.primary_damping,
         v.secondary_stiffness + 1j * omega * v.secondary_damping,
@@ -83,7 +80,7 @@ def wheel_receptance(vehicle: Vehicle, omega: float) -> Complex:
     ]
     for constant, stretch in links:
         dynamic += constant * np.outer(stretch, stretch)
-    return np.asarray(np.linalg.inv(dynamic / 2)[6:, 6:])
+    return np.linalg.inv(dynamic / 2)[6:, 6:]
 
 
 def contact_spring(vehicle: Vehicle) -> float:
@@ -95,7 +92,7 @@ def contact_spring(vehicle: Vehicle) -> float:
     return float(1.5 * static ** (1 / 3) / (worn if v.wheel_tread == "worn" else conical))
 
 
-def contact_force(track: Track, vehicle: Vehicle, speed: float, wavelength: float) -> Complex:
+def contact_force(track: Track, vehicle: Vehicle, speed: float, wavelength: float) -> Array:
     """Amplitudes of the four contact forces (N/m) per amplitude of a harmonic irregularity, front wheel first."""
     a, b = vehicle.half_bogie_distance, vehicle.half_wheelbase
     position = np.array([a + b, a - b, b - a, -a - b])
@@ -104,4 +101,4 @@ def contact_force(track: Track, vehicle: Vehicle, speed: float, wavelength: floa
     rail = LayeredTrack(track, speed).receptances(omega, distance.ravel())[0].reshape(4, 4)
     flexibility = np.eye(4) / contact_spring(vehicle) + wheel_receptance(vehicle, omega) + rail
     eta = np.exp(2j * np.pi * (position - position[0]) / wavelength)
-    return np.asarray(-np.linalg.solve(flexibility, eta))
+    return -np.linalg.solve(flexibility, eta)

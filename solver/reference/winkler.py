@@ -13,7 +13,8 @@ Frýba (1999), Vibration of Solids and Structures under Moving Loads, chapter 13
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from solver.arrays import Array
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,7 +31,7 @@ class WinklerBeam:
         """Lowest phase velocity of the undamped beam, m/s."""
         return float((4 * self.stiffness * self.bending_stiffness / self.mass**2) ** 0.25)
 
-    def deflection(self, position: float | NDArray[np.float64], force: float, speed: float) -> NDArray[np.float64]:
+    def deflection(self, position: float | Array, force: float, speed: float) -> Array:
         """Displacement, m, at positions ahead of the load (m; behind it negative), force in N and speed in m/s.
 
         Raises
@@ -48,4 +49,4 @@ class WinklerBeam:
             residue = 1 / np.prod(root - np.delete(roots, i))
             there = (r >= 0) if root.real < 0 else (r < 0)
             field += np.sign(-root.real) * residue * np.exp(root * np.where(there, r, 0)) * there
-        return np.asarray(force / self.bending_stiffness * field.real)
+        return force / self.bending_stiffness * field.real

@@ -1,0 +1,109 @@
+import json
+import math
+from dataclasses import fields, replace
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from solver.case import Case, Harmonic, Numerics, Smooth, Spectral, Track, Vehicle
+from solver.catalogue import TRACKS, VEHICLES
+from solver.quantity import InvalidParameterError, quantities
+
+IRREGULARITIES = [
+    Smooth(),
+    Harmonic(wavelength=1.0, amplitude=3e-4),
+    Spectral(wavelength_min=2.0, wavelength_max=30.0),
+]
+
+
+@pytest.mark.parametrize("irregularity", IRREGULARITIES)
+def test_a_case_survives_json(make_case, irregularity):
+    case = make_case(irregularity=irregularity)
+    again = Case.from_dict(json.loads(json.dumps(case.to_dict())))
+    assert again == case
+    assert again.digest() == case.digest()
+
+
+def test_equal_physics_has_one_digest_and_different_physics_another(make_case):
+    case = make_case(speed=50.0)
+    assert case.digest() == make_case(speed=50).digest()
+    digests = {make_case(irregularity=i).digest() for i in IRREGULARITIES}
+    digests |= {make_case(track=replace(case.track, pad_stiffness=4e7)).digest(), case.digest()}
+    assert len(digests) == 5
+
+
+def test_operator_key_is_shared_by_what_can_march_together(make_case):
+    case = make_case()
+    stiffer = replace(case.vehicle, primary_stiffness=3e6)
+    assert {make_case(irregularity=i).operator_key() for i in IRREGULARITIES} == {case.operator_key()}
+    assert make_case(vehicle=stiffer).operator_key() == case.operator_key()
+    for other in ({"speed": 80.0}, {"numerics": Numerics()}, {"track": replace(case.track, pad_damping=1e4)}):
+        assert make_case(**other).operator_key() != case.operator_key()
+
+
+PHYSICAL = [
+    (values, name, path, q)
+    for values in (VEHICLES["crh3"].values, TRACKS["crts2"].values, Numerics(), IRREGULARITIES[1], IRREGULARITIES[2])
+    for name, path, q in quantities(type(values))
+]
+
+
+@pytest.mark.parametrize(("values", "name", "path", "q"), PHYSICAL, ids=lambda v: v if isinstance(v, str) else "")
+def test_every_bound_is_kept_and_named(values, name, path, q):
+    beyond = [math.nan, math.inf, -math.inf, True, "300"]
+    beyond += [bound - 1 for key, bound in q.bounds().items() if key in ("ge", "gt")]
+    beyond += [bound * 2 + 1 for key, bound in q.bounds().items() if key in ("le", "lt")]
+    for value in beyond:
+        with pytest.raises(InvalidParameterError, match=r"must be") as caught:
+            replace(values, **{name: value})
+        assert caught.value.parameter.endswith(path)
+
+
+def test_every_number_of_the_model_has_bounds_on_both_sides():
+    for cls in (Vehicle, Track, Numerics, Harmonic, Spectral, Case):
+        for name, _, q in quantities(cls):
+            assert {"ge", "gt"} & q.bounds().keys(), name
+            assert {"le", "lt"} & q.bounds().keys(), name
+        numeric = {f.name for f in fields(cls) if f.type in (int, float)}
+        assert numeric == {name for name, _, _ in quantities(cls)}
+
+
+@pytest.mark.parametrize(
+    ("parts", "parameter"),
+    [
+        ({"speed": -1.0}, "speed_m_per_s"),
+        ({"speed": 601 / 3.6}, "speed_m_per_s"),
+        ({"slab": "floating"}, "slab"),
+        ({"numerics": Numerics(track_length=90.0, absorbing_length=40.0)}, "numerics.track_length_m"),
+        ({"numerics": Numerics(time_step=1e-6)}, "numerics.time_step_s"),
+        ({"numerics": Numerics(time_step=1e-3), "speed": 100.0}, "numerics.time_step_s"),
+        (
+            {"irregularity": Harmonic(wavelength=0.1, amplitude=1e-4), "numerics": Numerics(time_step=2e-4)},
+            "numerics.time_step_s",
+        ),
+    ],
+)
+def test_what_does_not_fit_together_is_refused_by_name(make_case, parts, parameter):
+    with pytest.raises(InvalidParameterError) as caught:
+        make_case(**parts)
+    assert caught.value.parameter == parameter
+
+
+def test_a_band_upside_down_is_refused():
+    with pytest.raises(InvalidParameterError, match="min < max"):
+        Spectral(wavelength_min=30.0, wavelength_max=2.0)
+
+
+@given(st.floats(10 / 3.6, 600 / 3.6), st.floats(1e-5, 2e-4))
+def test_a_whole_number_of_steps_leads_from_pad_to_pad(speed, time_step):
+    assume(0.65 / (speed * time_step) < 1999)  # more steps from pad to pad are refused
+    case = Case(
+        speed=speed,
+        irregularity=Smooth(),
+        track=TRACKS["crts2"].values,
+        vehicle=VEHICLES["crh3"].values,
+        numerics=Numerics(time_step=time_step),
+    )
+    assert case.time_step <= time_step * (1 + 1e-9)
+    assert case.time_step * case.phases * case.speed == pytest.approx(0.65, rel=1e-12)
