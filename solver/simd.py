@@ -31,7 +31,7 @@ def _vector(width: int) -> ir.VectorType:
 @register_default(Lanes)
 class _LanesModel(models.PrimitiveModel):
     def __init__(self, dmm: Any, fe_type: Lanes) -> None:
-        super().__init__(dmm, fe_type, _vector(fe_type.width))
+        super().__init__(dmm, fe_type, _vector(fe_type.width))  # type: ignore[no-untyped-call]  # Numba is untyped
 
 
 def _address(context: Any, builder: Any, array_type: Any, array: Any, row: Any, width: int) -> Any:
