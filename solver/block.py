@@ -60,15 +60,16 @@ class Block:
 
     def track_position(self, step: Array) -> Array:
         """Position of the first wheel after some steps, m."""
-        return step * self.case.time_step * self.case.speed
+        return self.case.numerics.start + step * self.case.time_step * self.case.speed
 
     def _irregularity(self) -> Array:
         """Irregularity under every wheel at every step, eased in, shape (steps, 4, lanes)."""
         spacing = self.case.speed * self.case.time_step
+        start = self.case.numerics.start + spacing
         eta = np.empty((self.steps, WHEELS, len(self.cases)))
         for lane, case in enumerate(self.cases):
             for wheel, behind in enumerate(self.wheels - self.wheels[0]):
-                eta[:, wheel, lane] = sample(case.irregularity, spacing + behind, spacing, self.steps)
+                eta[:, wheel, lane] = sample(case.irregularity, start + behind, spacing, self.steps)
         s = np.clip(np.arange(1, self.steps + 1) * self.case.time_step / self.case.numerics.ease_in, 0, 1)
         return eta * (s**3 * (10 - 15 * s + 6 * s**2))[:, None, None]
 

@@ -51,6 +51,23 @@ class Vehicle(Checked):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Joint(Checked):
+    """The joints between slabs: no moment passes, shear only through a spring and a damper.
+
+    Pads stand at whole multiples of their spacing along the track, joints at ``(position + i pads_per_slab)`` spacings.
+    """
+
+    _path = "track.joint."
+
+    shear_stiffness: float = quantity("N/m", "stiffness against a jump between slabs", ge=0, le=1e13, default=1.0e8)
+    shear_damping: float = quantity("N s/m", "damping of a jump between slabs", ge=0, le=1e9, default=8.0e4)
+    pads_per_slab: int = quantity("", "pads on every slab", ge=3, le=100, default=10)
+    position: float = quantity(
+        "", "place of a joint between two pads, as part of their spacing", gt=0, lt=1, default=0.5
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
 class Track(Checked):
     """Rail, slab and concrete base on a roadbed. Values are of one rail and half the slab and base."""
 
@@ -72,6 +89,7 @@ class Track(Checked):
     base_mass: float = quantity("kg/m", "mass of the half base per length", gt=0, le=1e5)
     roadbed_stiffness: float = quantity("N/m^2", "stiffness of the roadbed per length", gt=0, le=1e18)
     roadbed_damping: float = quantity("N s/m^2", "damping of the roadbed per length", ge=0, le=1e10)
+    joint: Joint = field(default_factory=Joint)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -145,6 +163,7 @@ class Numerics(Checked):
     time_step: float = quantity(
         "s", "largest time step; the step used divides the time from pad to pad", ge=1e-6, le=1e-3, default=1e-4
     )
+    start: float = quantity("m", "position of the first wheel on the track at the start", ge=-1e5, le=1e5, default=0.0)
     settle: float = quantity("s", "time computed and discarded before the window", ge=0.3, le=20, default=1.0)
     window: float = quantity("s", "steady window from which peaks are read", gt=0.01, le=60, default=3.0)
     ease_in: float = quantity("s", "time over which the irregularity grows to its full height", gt=0, le=5, default=0.2)
@@ -231,7 +250,7 @@ class Case(Checked):
             speed=data["speed"],
             slab=data["slab"],
             irregularity=IRREGULARITY_KINDS[kind](**irregularity),
-            track=Track(**data["track"]),
+            track=Track(**data["track"] | {"joint": Joint(**data["track"]["joint"])}),
             vehicle=Vehicle(**data["vehicle"]),
             numerics=Numerics(**data["numerics"]),
         )

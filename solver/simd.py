@@ -21,7 +21,7 @@ class Lanes(types.Type):
 
     def __init__(self, width: int) -> None:
         self.width = width
-        super().__init__(name=f"Lanes({width})")  # type: ignore[no-untyped-call]  # Numba is untyped
+        super().__init__(name=f"Lanes({width})")
 
 
 def _vector(width: int) -> ir.VectorType:

@@ -53,7 +53,7 @@ class TrackModel:
 
     @cached_property
     def left_end(self) -> float:
-        """Position of the first node, m: the vehicle in the middle, and its first wheel above a pad at phase 0."""
+        """Position of the first node, m: the vehicle in the middle, and its first wheel above a pad at phase 0 if it starts there."""
         vehicle, spacing = self.case.vehicle, self.case.track.pad_spacing
         first_wheel = vehicle.half_bogie_distance + vehicle.half_wheelbase
         behind = round(first_wheel / spacing + self.cells / 2)
@@ -80,9 +80,14 @@ class TrackModel:
 
     def pad_location(self, phase: int) -> tuple[int, float]:
         """Element within every cell that holds the pad at a phase, and where in it."""
-        per_cell = self.case.numerics.elements_per_pad
-        ahead = (-phase % self.case.phases) / self.case.phases * per_cell + self.case.numerics.mesh_offset
-        element, xi = divmod(ahead % per_cell, 1.0)
+        return self.locate_in_cell(0.0, phase)
+
+    def locate_in_cell(self, part: float, phase: int) -> tuple[int, float]:
+        """Element within a cell, and place in it, of what stands ahead of every pad by a part of the spacing."""
+        numerics = self.case.numerics
+        travelled = phase / self.case.phases + numerics.start / self.case.track.pad_spacing
+        ahead = (part - travelled) * numerics.elements_per_pad + numerics.mesh_offset
+        element, xi = divmod(ahead % numerics.elements_per_pad, 1.0)
         return int(element), xi
 
     def shape(self, xi: float, derivative: int = 0) -> Array:
