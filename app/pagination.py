@@ -22,7 +22,7 @@ class PageQuery(BaseModel):
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
-    page_size: int = Field(default=DEFAULT_PAGE_SIZE, ge=1, description="Rows per page.")
+    page_size: int | None = Field(default=None, ge=1, description=f"Rows per page; {DEFAULT_PAGE_SIZE} if not given.")
     cursor: str | None = Field(default=None, max_length=2000, description="`next_cursor` of the page before.")
 
     def question(self) -> str:
@@ -104,7 +104,8 @@ def fetch_page(
     Problem
         422 for a page size above the limit or a cursor that does not fit.
     """
-    if query.page_size > max_page_size:
+    page_size = query.page_size or min(DEFAULT_PAGE_SIZE, max_page_size)
+    if page_size > max_page_size:
         raise invalid("/query/page_size", "page-size-over-limit", f"A page holds at most {max_page_size} rows.")
     question = query.question()
     if query.cursor is not None:
@@ -113,8 +114,8 @@ def fetch_page(
             raise invalid("/query/cursor", "cursor-unreadable", "The cursor is not one that a page gave.")
         statement = statement.where(order.after(value, key))
     statement = statement.add_columns(order.column.label("sort_value"), order.key.label("sort_key"))
-    rows = session.execute(statement.order_by(*order.clauses()).limit(query.page_size + 1)).all()
-    if len(rows) <= query.page_size:
+    rows = session.execute(statement.order_by(*order.clauses()).limit(page_size + 1)).all()
+    if len(rows) <= page_size:
         return rows, None
-    last = rows[query.page_size - 1]
-    return rows[: query.page_size], encode_cursor(question, last.sort_value, last.sort_key)
+    last = rows[page_size - 1]
+    return rows[:page_size], encode_cursor(question, last.sort_value, last.sort_key)

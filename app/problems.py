@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
+from urllib.parse import quote
 
 import structlog
 from fastapi import FastAPI, Request, Response
@@ -119,7 +120,7 @@ def _respond(request: Request, problem: Problem) -> Response:
         title=HTTPStatus(problem.status_code).phrase,
         status=problem.status_code,
         detail=problem.detail,
-        instance=request.url.path,
+        instance=quote(request.url.path, safe="/:@!$&'()*+,;=~"),
         code=problem.code or _CODES.get(problem.status_code, "error"),
         request_id=request.state.request_id,
         errors=list(problem.errors),

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 from uuid import uuid4
 
-from sqlalchemy import delete, exists, insert, select, update
+from sqlalchemy import delete, exists, select, update
 from sqlalchemy.orm import Session
 
 from app import events
@@ -115,10 +115,10 @@ def succeed(
         return release(session, held)
     _end(session, held, "succeeded", {"progress": 1.0, "cpu_s": cpu_s, "error": None})
     session.execute(delete(Peak).where(Peak.case_id == held.case_id))
-    session.execute(insert(Peak), [{"case_id": held.case_id, **peak} for peak in peaks])
+    session.add_all(Peak(case_id=held.case_id, **peak) for peak in peaks)
     if history is not None:
         session.execute(delete(History).where(History.case_id == held.case_id))
-        session.execute(insert(History), [{"case_id": held.case_id, **history}])
+        session.add(History(case_id=held.case_id, **history))
     events.case_ended(session, held.case_id, "succeeded")
     return True
 

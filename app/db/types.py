@@ -12,10 +12,11 @@ BigKey = BigInteger().with_variant(Integer, "sqlite")
 
 
 class Clock(FunctionElement[float]):
-    """Seconds since 1970 (UTC), with fractions, by the database's own clock.
+    """Seconds since 1970 (UTC), to the millisecond, by the database's own clock.
 
     Every instant that is stored or compared comes from here, so that workers whose clocks differ still agree on
-    whose lease has run out. Seconds as a number because adding to them means the same on every database.
+    whose lease has run out. Seconds as a number because adding to them means the same on every database; whole
+    milliseconds because such a number survives being shown as a date and sent back.
     """
 
     type = Double()
@@ -24,9 +25,9 @@ class Clock(FunctionElement[float]):
 
 @compiles(Clock, "sqlite")
 def _clock_of_sqlite(element: Clock, compiler: SQLCompiler, **kw: Any) -> str:
-    return "((julianday('now') - 2440587.5) * 86400.0)"
+    return "ROUND((julianday('now') - 2440587.5) * 86400.0, 3)"
 
 
 @compiles(Clock, "postgresql")
 def _clock_of_postgresql(element: Clock, compiler: SQLCompiler, **kw: Any) -> str:
-    return "CAST(EXTRACT(EPOCH FROM clock_timestamp()) AS DOUBLE PRECISION)"
+    return "CAST(ROUND(EXTRACT(EPOCH FROM clock_timestamp()), 3) AS DOUBLE PRECISION)"

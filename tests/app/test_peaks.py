@@ -1,0 +1,93 @@
+"""Peaks across studies: every filter, every order, page by page, on both databases."""
+
+from collections.abc import Callable
+from typing import Any
+
+import httpx
+import pytest
+
+from app.db.session import Database
+from app.peaks.schemas import COLUMNS
+from worker import lease
+
+STATISTICS = ["peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "track_position_m"]
+
+
+def peak(quantity: str, value: float, position: str = "wheelset_1") -> dict[str, Any]:
+    return {"quantity": quantity, "position": position, "unit": "N"} | dict.fromkeys(STATISTICS, value)
+
+
+@pytest.fixture
+def peaks(client: httpx.Client, database: Database, study: dict[str, Any]) -> list[dict[str, Any]]:
+    """Two studies, harmonic and spectrum, whose cases have three peaks each."""
+    client.post("/v1/studies", json=study)
+    study["sweep"]["irregularity"] = {
+        "kind": "spectrum",
+        "percentile": [25, 90],
+        "wavelength_band_m": [{"min": 2, "max": 30}, {"min": 4, "max": 30}],
+    }
+    client.post("/v1/studies", json=study)
+    number = 0
+    with database.write() as session:
+        while (held := lease.claim(session, "test", 15.0)) is not None:
+            number += 1
+            found = [peak("wheel_rail_force", 1e5 + number), peak("pad_force", 3e4), peak("pad_force", 2e4, "middle")]
+            assert lease.succeed(session, held, peaks=found, history=None, cpu_s=1.0)
+    return walk(client)
+
+
+def test_peaks_come_with_their_conditions(peaks: list[dict[str, Any]]) -> None:
+    assert len(peaks) == 3 * (4 + 8)
+    assert list(peaks[0]) == list(COLUMNS)
+    assert {(each["irregularity"], each["percentile"], each["amplitude_mm"]) for each in peaks} == {
+        *[("harmonic", None, amplitude) for amplitude in (0.1, 0.3)],
+        *[("spectrum", percentile, None) for percentile in (25, 90)],
+    }
+
+
+def test_any_column_sorts_in_both_directions(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:
+    for order in [sign + column for column in COLUMNS for sign in ("", "-")]:
+        ordered = walk(client, sort=order)
+        assert sorted(map(repr, ordered)) == sorted(map(repr, peaks))  # each once, over all pages
+        values = [each[order.removeprefix("-")] for each in ordered]
+        present = [value for value in values if value is not None]
+        assert values == [*present, *[None] * (len(values) - len(present))], order
+        assert present == sorted(present, reverse=order.startswith("-")), order
+
+
+FILTERS: list[tuple[dict[str, str], Callable[[dict[str, Any]], bool]]] = [
+    ({"quantity": "pad_force", "position": "middle"}, lambda each: each["position"] == "middle"),
+    ({"slab": "continuous"}, lambda each: True),
+    ({"slab": "wooden"}, lambda each: False),
+    ({"irregularity": "harmonic"}, lambda each: each["irregularity"] == "harmonic"),
+    ({"spectrum": "tb3352-ballastless"}, lambda each: each["irregularity"] == "spectrum"),
+    ({"speed_kmh_min": "300"}, lambda each: each["speed_kmh"] == 300),
+    ({"speed_kmh_max": "250"}, lambda each: each["speed_kmh"] == 250),
+    ({"percentile": "90"}, lambda each: each["percentile"] == 90),
+    ({"wavelength_min_m": "4"}, lambda each: each["wavelength_min_m"] == 4),
+    ({"wavelength_max_m": "30"}, lambda each: each["wavelength_max_m"] == 30),
+    ({"wavelength_m": "1"}, lambda each: each["wavelength_m"] == 1),
+    ({"value_min": "30000", "value_max": "100006"}, lambda each: 30000 <= each["peak"] <= 100006),
+]
+
+
+def test_filters(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:
+    for query, keeps in FILTERS:
+        assert walk(client, **query) == [each for each in peaks if keeps(each)], query
+
+
+def test_peaks_of_one_study(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:
+    for study in client.get("/v1/studies").json()["items"]:
+        cases = {case["id"] for case in client.get(f"/v1/studies/{study['id']}/cases").json()["items"]}
+        assert walk(client, study_id=study["id"]) == [each for each in peaks if each["case_id"] in cases]
+
+
+def walk(client: httpx.Client, **query: str) -> list[dict[str, Any]]:
+    """Every peak, seven at a time."""
+    items: list[dict[str, Any]] = []
+    while True:
+        page = client.get("/v1/peaks", params={"page_size": "7", **query}).json()
+        items += page["items"]
+        if page["next_cursor"] is None:
+            return items
+        query["cursor"] = page["next_cursor"]
