@@ -24,8 +24,8 @@ def draw_peaks_against_speed(rows: Iterable[dict[str, Any]], title: str, path: P
     """Draw each quantity's largest peak at any position against speed."""
     rows = list(rows)
     figure = Figure(figsize=(11, 6.2), layout="constrained")
-    for axes, (quantity, title) in zip(figure.subplots(2, 3, sharex=True).flat, PANELS.items(), strict=True):
-        _panel(axes, [row for row in rows if row["quantity"] == quantity], title)
+    for axes, (quantity, name) in zip(figure.subplots(2, 3, sharex=True).flat, PANELS.items(), strict=True):
+        _panel(axes, [row for row in rows if row["quantity"] == quantity], name)
     for axes in figure.axes[3:]:
         axes.set_xlabel("speed in km/h")
     figure.suptitle(title, x=0.012, ha="left", color=INK, fontsize=16, fontweight="bold")

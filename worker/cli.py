@@ -55,10 +55,7 @@ def worker() -> None:
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
     from worker.celery import app
 
-    name = f"worker-{os.getpid()}@%h"
-    app.worker_main(
-        ["worker", "--pool", "solo", "--hostname", name, "--loglevel", "INFO", "--without-gossip", "--without-mingle"]
-    )
+    app.worker_main(["worker", "--hostname", f"worker-{os.getpid()}@%h", "--loglevel", "INFO", "--without-gossip", "--without-mingle"])
 
 
 def main() -> None:

@@ -113,6 +113,7 @@ def _announcement(data: Path, listener: socket.socket) -> Iterator[Callable[[], 
         print(f"TrackSweep runs at {url} (the API is documented at {url}/docs).")
         print(f"Data and logs: {data}. Ctrl-C stops the service.", flush=True)
 
+    note.unlink(missing_ok=True)  # of a service that was killed
     try:
         yield announce
     finally:
