@@ -53,7 +53,7 @@ class TrackModel:
 
     @cached_property
     def left_end(self) -> float:
-        """Position of the first node, m: the vehicle in the middle, and its first wheel above a pad at phase 0 if it starts there."""
+        """Position of the first node, m: the vehicle near the middle, whole spacings behind its first wheel."""
         vehicle, spacing = self.case.vehicle, self.case.track.pad_spacing
         first_wheel = vehicle.half_bogie_distance + vehicle.half_wheelbase
         behind = round(first_wheel / spacing + self.cells / 2)
