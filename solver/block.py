@@ -11,8 +11,9 @@ from solver.channels import CHANNELS
 from solver.contact import WHEELS, hertz_constant
 from solver.integrator import Integrator, integrator
 from solver.irregularity import sample
-from solver.kernels import advance, stencils
-from solver.march import SIZE, Operator, State, Vehicles, march
+from solver.joint import joint_operator, joint_state
+from solver.kernels import stencils
+from solver.march import SIZE, Operator, State, Vehicles, advance_all, march
 from solver.periodic import periodic_operator
 from solver.start import static_equilibrium
 from solver.track import NODE, TrackModel
@@ -50,7 +51,10 @@ class Block:
         self.settle_steps = math.ceil(case.numerics.settle / case.time_step)
         self.window_steps = max(1, round(case.numerics.window / case.time_step))
         self.eta = self._irregularity()
+        self.joints = joint_operator(self.model, self.scheme, self.operator.blocks, self.operator.block_of_cell)
         self.state = self._start()
+        self.joint_state = joint_state(self.joints.joints, width)
+        advance_all(self.scheme, self.stencils, self.joints, self.state, self.joint_state, 0, self.lanes)
         self.done = 0
 
     @property
@@ -81,7 +85,7 @@ class Block:
         at_rest = [static_equilibrium(case.vehicle, compliance) for case in self.cases]
         displacement, penetration, force = (np.array(part) for part in zip(*at_rest, strict=True))
         x = np.stack([steady @ lane for lane in force], axis=1)  # lane by lane: a lane must not know its neighbours
-        state = State(
+        return State(
             x=x,
             u=x.copy(),
             v=np.zeros_like(x),
@@ -93,8 +97,6 @@ class Block:
             force=np.ascontiguousarray(force.T),
             failed=np.zeros(lanes, bool),
         )
-        advance(self.scheme, self.stencils, 1 % self.case.phases, state.x, state.u, state.v, state.x, self.lanes)
-        return state
 
     def advance(self, steps: int) -> Array:
         """Take the next steps; channels of shape (steps, lanes, channels)."""
@@ -104,8 +106,10 @@ class Block:
             self.scheme,
             self.stencils,
             self.operator,
+            self.joints,
             self.vehicles,
             self.state,
+            self.joint_state,
             self.eta[self.done : stop],
             self.done + 1,
             out,
@@ -132,10 +136,12 @@ def _operator(model: TrackModel, scheme: Integrator, wheels: Array) -> Operator:
         windows=periodic.windows,
         compliance=periodic.compliance,
         wheel_row=np.array([NODE * element for element, _ in located]),
+        wheel_place=np.array([place for _, place in located]),
         wheel_shape=np.array([model.shape(position) for _, position in located]),
         point_shape=np.array([model.shape(xi, derivative) for derivative in (0, 1, 2)]),
         curvature_per_force=clamped / (track.rail_elastic_modulus * track.rail_second_moment),
         speed=model.case.speed,
+        spacing=track.pad_spacing,
     )
 
 

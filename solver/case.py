@@ -12,7 +12,7 @@ CLEARANCE = 6.0  # m of track between the outer wheels and the absorbing ends
 MAX_PHASES = 2000  # steps from pad to pad: each has its own factors in memory
 MIN_STEPS = 10  # steps per pad spacing and per shortest wavelength
 
-Slab = Literal["continuous"]
+Slab = Literal["continuous", "discontinuous"]
 WheelTread = Literal["worn", "conical"]
 
 

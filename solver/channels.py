@@ -14,6 +14,8 @@ class Channel:
 
 WHEELSETS = tuple(f"wheelset_{i}" for i in (1, 2, 3, 4))
 
+ALL_JOINTS = "joints"
+
 
 def _channels(quantity: str, unit: str, *positions: str) -> tuple[Channel, ...]:
     return tuple(Channel(quantity=quantity, position=position, unit=unit) for position in positions)
@@ -32,7 +34,11 @@ CHANNELS: tuple[Channel, ...] = (
     *_channels("car_body_acceleration", "m/s^2", "car_body"),
     *_channels("bogie_acceleration", "m/s^2", "bogie_1", "bogie_2"),
     *_channels("wheelset_acceleration", "m/s^2", *WHEELSETS),
+    # Of all joints, that with the largest magnitude at the time.
+    *_channels("joint_opening", "m", ALL_JOINTS),
+    *_channels("joint_slope_jump", "rad", ALL_JOINTS),
+    *_channels("joint_shear", "N", ALL_JOINTS),
 )
-FORCES = slice(0, 4)
 TRACK = 4  # first of the seven track channels
 BODIES = 11  # first of the vehicle's accelerations
+JOINTS = 18  # first of the joints' channels; a continuous slab has none

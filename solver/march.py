@@ -6,15 +6,29 @@ import numpy as np
 
 from solver.arrays import Array
 from solver.banded import substitute
-from solver.channels import BODIES, TRACK
+from solver.channels import BODIES, JOINTS, TRACK
 from solver.compiled import compiled
 from solver.contact import WHEELS, close_contacts
 from solver.integrator import Integrator
-from solver.kernels import Stencils, add_window, advance
+from solver.joint_kernels import (
+    Joints,
+    JointState,
+    advance_joints,
+    hand_over,
+    load_track,
+    open_joints,
+    probe_track,
+    rail_under_wheels,
+    respond_to_wheels,
+    shapes_at,
+    solve_joints,
+)
+from solver.kernels import Lanes, Stencils, add_window, advance
 from solver.simd import load
 
 BODY_ROWS = (0, 2, 4, 6, 7, 8, 9)  # vehicle unknowns whose accelerations are recorded
 FIRST_WHEELSET = 6
+SLAB_CHANNEL = TRACK + 3
 SIZE = 10
 
 
@@ -27,10 +41,12 @@ class Operator(NamedTuple):
     windows: Array
     compliance: Array
     wheel_row: Array  # (4,) first row of the two nodes around a wheel
+    wheel_place: Array  # (4,) where a wheel stands in its element
     wheel_shape: Array  # (4, 4) rail shape functions under a wheel
     point_shape: Array  # (3, 4) shape functions and their first two derivatives under the first wheel
     curvature_per_force: float  # what the load inside its element adds to the rail's second derivative, 1/(m N)
     speed: float
+    spacing: float  # of the pads, m
 
 
 class Vehicles(NamedTuple):
@@ -64,7 +80,8 @@ def _couple_vehicle(
     op: Operator,
     vehicles: Vehicles,
     state: State,
-    phase: int,
+    rail: Array,
+    compliance: Array,
     eta: Array,
     lane: int,
     accelerations: Array,
@@ -83,16 +100,13 @@ def _couple_vehicle(
         for j in range(SIZE):
             free[i] += inverse[i, j] * load_[j]
     approach = np.empty(WHEELS)
-    compliance = np.empty((WHEELS, WHEELS))
+    together = np.empty((WHEELS, WHEELS))
     for i in range(WHEELS):
-        row, n = op.wheel_row[i], op.wheel_shape[i]
-        rail = n[0] * state.x[row, lane] + n[1] * state.x[row + 1, lane]
-        rail += n[2] * state.x[row + 6, lane] + n[3] * state.x[row + 7, lane]
-        approach[i] = free[FIRST_WHEELSET + i] - rail - eta[i]
+        approach[i] = free[FIRST_WHEELSET + i] - rail[i, lane] - eta[i]
         for j in range(WHEELS):
-            compliance[i, j] = op.compliance[phase, i, j] + inverse[FIRST_WHEELSET + i, FIRST_WHEELSET + j]
+            together[i, j] = compliance[i, j] + inverse[FIRST_WHEELSET + i, FIRST_WHEELSET + j]
     force = np.zeros(WHEELS)
-    if not close_contacts(approach, compliance, vehicles.hertz[lane], state.penetration[lane], force):
+    if not close_contacts(approach, together, vehicles.hertz[lane], state.penetration[lane], force):
         state.failed[lane] = True
     for i in range(SIZE):
         displacement = free[i]
@@ -106,6 +120,16 @@ def _couple_vehicle(
         a[i] = new
     for j in range(WHEELS):
         state.force[j, lane] = force[j]
+
+
+@compiled
+def _rail_without_forces(op: Operator, state: State, rail: Array) -> None:
+    """Rail displacement (4, lanes) under the wheels as it would be without their forces in this step."""
+    for i in range(WHEELS):
+        row, n = op.wheel_row[i], op.wheel_shape[i]
+        for lane in range(rail.shape[1]):
+            rail[i, lane] = n[0] * state.x[row, lane] + n[1] * state.x[row + 1, lane]
+            rail[i, lane] += n[2] * state.x[row + 6, lane] + n[3] * state.x[row + 7, lane]
 
 
 @compiled
@@ -135,24 +159,77 @@ def _record_track(k: Integrator, op: Operator, state: State, lane: int, out: Arr
 
 
 @compiled
+def _record_joints(k: Integrator, op: Operator, c: Joints, state: JointState, step: int, lane: int, out: Array) -> None:
+    """What the joints add under the first wheel, and the largest opening, slope jump and shear of any joint."""
+    slot, e0, e1, _, _ = shapes_at(c, step, op.wheel_row[0] // 6, op.wheel_place[0])
+    if slot >= 0:
+        length = op.spacing
+        out[SLAB_CHANNEL] += e0 * state.x[slot, lane] + length * e1 * state.x[slot + 1, lane]
+        out[SLAB_CHANNEL + 1] += e0 * state.reported[slot, lane] + length * e1 * state.reported[slot + 1, lane]
+    out[JOINTS] = out[JOINTS + 1] = out[JOINTS + 2] = 0.0
+    for joint in range(c.joints):
+        jump, turn = state.x[2 * joint, lane], state.x[2 * joint + 1, lane]
+        rate = state.v[2 * joint, lane] - k.kick * state.a[2 * joint, lane]
+        shear = c.shear_stiffness * jump + c.shear_damping * rate
+        for i, value in enumerate((jump, turn, shear)):
+            if abs(value) > abs(out[JOINTS + i]):
+                out[JOINTS + i] = value
+
+
+@compiled
+def _solve_track(
+    op: Operator, c: Joints, state: State, joints: JointState, step: int, rail: Array, compliance: Array, lanes: Lanes
+) -> None:
+    """Track and joints without the wheels' forces, and what a force at one wheel does to the rail at another."""
+    phase = step % op.block_of_cell.shape[0]
+    substitute(op.blocks, op.block_of_cell[phase], state.x, lanes)
+    _rail_without_forces(op, state, rail)
+    compliance[:] = op.compliance[phase]
+    if c.joints > 0:
+        solve_joints(c, joints, step, state.x, lanes)
+        per_jump = np.empty((2 * c.joints, WHEELS))
+        rail_under_wheels(c, step, op.wheel_row, op.wheel_shape, per_jump)
+        respond_to_wheels(c, joints, step, op.windows[phase], op.window_start, compliance, per_jump)
+        for unknown in range(2 * c.joints):
+            for wheel in range(WHEELS):
+                for lane in range(rail.shape[1]):
+                    rail[wheel, lane] -= per_jump[unknown, wheel] * joints.x[unknown, lane]
+
+
+@compiled
+def advance_all(
+    k: Integrator, c: Stencils, joints: Joints, state: State, joint_state: JointState, step: int, lanes: Lanes
+) -> None:
+    """The state at the end of a step to the right-hand side of the next."""
+    if joints.joints > 0:
+        hand_over(joints, joint_state, step + 1)
+        probe_track(k, joints, joint_state, step + 1, state.x, state.u, state.v, lanes)
+    advance(k, c, (step + 1) % c.pad_element.shape[0], state.x, state.u, state.v, state.x, lanes)
+    if joints.joints > 0:
+        load_track(k, joints, joint_state, step + 1, state.x, lanes)
+
+
+@compiled
 def march(
     k: Integrator,
     c: Stencils,
     op: Operator,
+    joints: Joints,
     vehicles: Vehicles,
     state: State,
+    joint_state: JointState,
     eta: Array,
     first: int,
     out: Array,
-    lanes: tuple[float, ...],
+    lanes: Lanes,
 ) -> None:
     """Take as many steps as ``eta`` and ``out`` are long.
 
     Parameters
     ----------
-    k, c, op, vehicles
-        Scheme, track and vehicles.
-    state : State
+    k, c, op, joints, vehicles
+        Scheme, track and vehicles; no joints where the slab is continuous.
+    state, joint_state
         Updated.
     eta : ndarray, shape (steps, 4, lanes)
         Irregularity under each wheel at the end of each step, m.
@@ -164,19 +241,26 @@ def march(
         As many as there are lanes.
     """
     accelerations = np.empty(SIZE)
+    rail = np.empty((WHEELS, eta.shape[2]))
+    compliance = np.empty((WHEELS, WHEELS))
     phases = op.block_of_cell.shape[0]
     for s in range(eta.shape[0]):
-        phase = (first + s) % phases
-        substitute(op.blocks, op.block_of_cell[phase], state.x, lanes)
+        step = first + s
+        _solve_track(op, joints, state, joint_state, step, rail, compliance, lanes)
         for lane in range(eta.shape[2]):
-            _couple_vehicle(k, op, vehicles, state, phase, eta[s, :, lane], lane, accelerations)
+            _couple_vehicle(k, op, vehicles, state, rail, compliance, eta[s, :, lane], lane, accelerations)
             for i in range(len(BODY_ROWS)):
                 out[s, lane, BODIES + i] = accelerations[BODY_ROWS[i]]
         for wheel in range(WHEELS):
             force = load(state.force, wheel, lanes)
-            add_window(state.x, op.windows[phase, wheel], op.window_start[wheel], force, lanes)
+            add_window(state.x, op.windows[step % phases, wheel], op.window_start[wheel], force, lanes)
+        if joints.joints > 0:
+            open_joints(joints, joint_state, step, state.x, state.force, lanes)
+            advance_joints(k, joint_state, lanes)
         for lane in range(eta.shape[2]):
             for wheel in range(WHEELS):
                 out[s, lane, wheel] = state.force[wheel, lane]
             _record_track(k, op, state, lane, out[s, lane])
-        advance(k, c, (first + s + 1) % phases, state.x, state.u, state.v, state.x, lanes)
+            if joints.joints > 0:
+                _record_joints(k, op, joints, joint_state, step, lane, out[s, lane])
+        advance_all(k, c, joints, state, joint_state, step, lanes)

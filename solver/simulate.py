@@ -9,7 +9,7 @@ import numpy as np
 from solver.arrays import Array
 from solver.block import MAX_LANES, Block
 from solver.case import Case
-from solver.channels import CHANNELS, Channel
+from solver.channels import CHANNELS, JOINTS, Channel
 
 CHUNK = 400  # steps between two reports of progress
 
@@ -97,6 +97,7 @@ def _run(block: Block, count: int, report: Progress) -> list[Response | SolverEr
         values[:, :, max(0, begin) : max(0, begin) + len(kept)] = kept.transpose(1, 2, 0)
         report(block.done / block.steps)
     step = np.arange(1, block.window_steps + 1)
+    recorded = JOINTS if block.case.slab == "continuous" else len(CHANNELS)
     position = block.track_position(block.settle_steps + step)
     return [
         DivergedError("the response grew without bounds; a shorter time step or another integrator may hold it")
@@ -105,8 +106,8 @@ def _run(block: Block, count: int, report: Progress) -> list[Response | SolverEr
             case=block.cases[lane],
             time=step * block.case.time_step,
             track_position=position,
-            channels=CHANNELS,
-            values=values[lane],
+            channels=CHANNELS[:recorded],
+            values=values[lane, :recorded],
             time_step=block.case.time_step,
         )
         for lane in range(count)

@@ -56,8 +56,7 @@ class TrackModel:
         """Position of the first node, m: the vehicle near the middle, whole spacings behind its first wheel."""
         vehicle, spacing = self.case.vehicle, self.case.track.pad_spacing
         first_wheel = vehicle.half_bogie_distance + vehicle.half_wheelbase
-        behind = round(first_wheel / spacing + self.cells / 2)
-        return first_wheel - behind * spacing - self.case.numerics.mesh_offset * self.element.length
+        return first_wheel - self.wheel_cell * spacing - self.case.numerics.mesh_offset * self.element.length
 
     @cached_property
     def absorption(self) -> Array:
@@ -82,16 +81,31 @@ class TrackModel:
         """Element within every cell that holds the pad at a phase, and where in it."""
         return self.locate_in_cell(0.0, phase)
 
-    def locate_in_cell(self, part: float, phase: int) -> tuple[int, float]:
-        """Element within a cell, and place in it, of what stands ahead of every pad by a part of the spacing."""
+    def _elements_ahead(self, part: float, phase: int) -> float:
+        """Elements from the start of the first wheel's cell to what stands ahead of pad 0 by a part of the spacing."""
         numerics = self.case.numerics
         travelled = phase / self.case.phases + numerics.start / self.case.track.pad_spacing
-        ahead = (part - travelled) * numerics.elements_per_pad + numerics.mesh_offset
-        element, xi = divmod(ahead % numerics.elements_per_pad, 1.0)
+        # Rounded, so that what stands on a node stays in one element.
+        return round((part - travelled) * numerics.elements_per_pad + numerics.mesh_offset, 9)
+
+    def locate_in_cell(self, part: float, phase: int) -> tuple[int, float]:
+        """Element within a cell, and place in it, of what stands ahead of every pad by a part of the spacing."""
+        element, xi = divmod(self._elements_ahead(part, phase) % self.case.numerics.elements_per_pad, 1.0)
         return int(element), xi
 
-    def shape(self, xi: float, derivative: int = 0) -> Array:
-        """Shape functions (4,) of one beam, or a derivative of them."""
+    def cell_shift(self, part: float, phase: int) -> int:
+        """Cells from the first wheel's to that of what stands ahead of pad 0, in the first cycle of phases."""
+        return int(self._elements_ahead(part, phase) // self.case.numerics.elements_per_pad)
+
+    @cached_property
+    def wheel_cell(self) -> int:
+        """Cell that holds the first wheel."""
+        vehicle = self.case.vehicle
+        first_wheel = vehicle.half_bogie_distance + vehicle.half_wheelbase
+        return round(first_wheel / self.case.track.pad_spacing + self.cells / 2)
+
+    def shape(self, xi: float | Array, derivative: int = 0) -> Array:
+        """Shape functions (..., 4) of one beam, or a derivative of them."""
         return hermite(xi, self.element.length, derivative)
 
     def layer(self, stiffness: float, damping: float, damping_factor: float) -> Array:

@@ -1,0 +1,311 @@
+"""Slab joints that ride with the track (P-ELE).
+
+At a joint the slab carries no moment, and shear only through a spring and a damper. Its displacement gains two unknowns
+per joint, the jump J0 and the slope jump J1, with shape functions that start at the joint, are fixed to it, and fade
+over one pad spacing d ahead of it (s = distance ahead of the joint, xi = s / d)::
+
+    E0 = 1 - S(xi),   E1 = s (1 - S(xi)),   S = 35 xi^4 - 84 xi^5 + 70 xi^6 - 20 xi^7
+
+so ``z = N z_nodes + E J``. The nodal part stays smooth: nothing is handed over where a joint passes a node. E travels
+with the track, so its material derivatives are plain rates and the joint's columns hold no convective terms; the
+joint's rows test the full convective expression of the nodal part.
+
+What is built here is, per phase, the template that all joints share: their blocks of M, C and of the step's matrix
+on the few nodes around them, and the window of ``A^-1`` times their columns.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.polynomial import Polynomial
+
+from solver.arrays import Array
+from solver.banded import substitute
+from solver.integrator import Integrator
+from solver.joint_kernels import Joints, JointState
+from solver.periodic import reach
+from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
+
+_FADE = 1 - Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
+_XI = Polynomial([0, 1])
+
+
+def enrichment(s: Array, length: float, derivative: int = 0) -> Array:
+    """The two shape functions of a joint, or a derivative of them, at distances ahead of it.
+
+    Parameters
+    ----------
+    s : ndarray
+        Distance ahead of the joint, m.
+    length : float
+        Distance d over which they fade, m.
+    derivative : int
+        Order of the derivative with respect to position.
+
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        Zero behind the joint and beyond d.
+    """
+    xi = np.asarray(s, float) / length
+    inside = ((xi >= 0) & (xi < 1))[..., None]
+    both = [_FADE.deriv(derivative)(xi), (_XI * _FADE).deriv(derivative)(xi) * length]
+    return np.where(inside, np.stack(both, axis=-1) / length**derivative, 0.0)
+
+
+@dataclass
+class Blocks:
+    """Mass, damping and stiffness between a joint and the nodes around it."""
+
+    nodes: int
+    column: Array = field(init=False)  # (3, rows, 2): nodal rows, joint columns
+    row: Array = field(init=False)  # (3, rows, 2): joint rows (transposed), nodal columns
+    own: Array = field(init=False)  # (3, 2, 2)
+
+    def __post_init__(self) -> None:
+        self.column, self.row = np.zeros((2, 3, NODE * self.nodes, 2))
+        self.own = np.zeros((3, 2, 2))
+
+
+@dataclass(frozen=True)
+class JointModel:
+    """The joints of a discontinuous slab, at any phase."""
+
+    model: TrackModel
+
+    @cached_property
+    def length(self) -> float:
+        """Distance over which the shape functions fade, m."""
+        return self.model.case.track.pad_spacing
+
+    @cached_property
+    def nodes(self) -> int:
+        """Nodes around a joint that it touches."""
+        return self.model.case.numerics.elements_per_pad + 2
+
+    def location(self, phase: int) -> tuple[int, float]:
+        """Element within a cell that holds a joint, and where in it."""
+        return self.model.locate_in_cell(self.model.case.track.joint.position, phase)
+
+    def blocks(self, phase: int) -> Blocks:
+        """Blocks at a phase; the first node is that before the joint."""
+        blocks = Blocks(self.nodes)
+        joint = self.model.case.track.joint
+        _, xi = self.location(phase)
+        for element in range(self.nodes - 1):
+            self._integrate(blocks, element, xi)
+        self._add_pad(blocks, xi)
+        blocks.own[1, 0, 0] += joint.shear_damping
+        blocks.own[2, 0, 0] += joint.shear_stiffness
+        return blocks
+
+    def _integrate(self, blocks: Blocks, element: int, xi: float) -> None:
+        """Add the part of beam, mortar and inertia that lies in one element."""
+        t, length, speed = self.model.case.track, self.model.element.length, self.model.case.speed
+        low, high = max(element - xi, 0.0) * length, min((element + 1 - xi) * length, self.length)
+        if high <= low:
+            return
+        points, weights = np.polynomial.legendre.leggauss(9)  # exact to degree 17, the products have 16
+        s, weights = (low + high) / 2 + (high - low) / 2 * points, weights * (high - low) / 2
+        e0, e2 = (enrichment(s, self.length, k) for k in (0, 2))
+        n0, n1, n2 = (self.model.shape(s / length + xi - element, k) for k in (0, 1, 2))
+
+        def integral(a: Array, b: Array) -> Array:
+            return np.einsum("g,gi,gj->ij", weights, a, b)
+
+        bending = t.slab_elastic_modulus * t.slab_second_moment
+        slab, base = (NODE * element + np.array([0, 1, NODE, NODE + 1]) + 2 * beam for beam in (SLAB, BASE))
+        same, slope = integral(n0, e0), integral(n1, e0)
+        blocks.column[0, slab] += t.slab_mass * same
+        blocks.column[2, slab] += bending * integral(n2, e2)
+        blocks.row[0, slab] += t.slab_mass * same
+        blocks.row[1, slab] += -2 * t.slab_mass * speed * slope
+        blocks.row[2, slab] += bending * integral(n2, e2) + t.slab_mass * speed**2 * integral(n2, e0)
+        for rows, sign in ((slab, 1), (base, -1)):
+            blocks.column[1, rows] += sign * t.mortar_damping * same
+            blocks.column[2, rows] += sign * t.mortar_stiffness * same
+            blocks.row[1, rows] += sign * t.mortar_damping * same
+            blocks.row[2, rows] += sign * (t.mortar_stiffness * same - t.mortar_damping * speed * slope)
+        own = integral(e0, e0)
+        blocks.own[0] += t.slab_mass * own
+        blocks.own[1] += t.mortar_damping * own
+        blocks.own[2] += t.mortar_stiffness * own + bending * integral(e2, e2)
+
+    def _add_pad(self, blocks: Blocks, xi: float) -> None:
+        """Add the one pad that stands where the shape functions have not faded."""
+        t, speed = self.model.case.track, self.model.case.speed
+        ahead = 1 - t.joint.position
+        element, place = divmod(xi + ahead * self.model.case.numerics.elements_per_pad, 1.0)
+        e = enrichment(np.array(ahead * self.length), self.length)
+        n, slope = self.model.shape(place), self.model.shape(place, 1)
+        for beam, sign in ((RAIL, -1), (SLAB, 1)):
+            rows = NODE * int(element) + np.array([0, 1, NODE, NODE + 1]) + 2 * beam
+            blocks.column[1, rows] += sign * t.pad_damping * np.outer(n, e)
+            blocks.column[2, rows] += sign * t.pad_stiffness * np.outer(n, e)
+            blocks.row[1, rows] += sign * t.pad_damping * np.outer(n, e)
+            blocks.row[2, rows] += sign * np.outer(t.pad_stiffness * n - t.pad_damping * speed * slope, e)
+        blocks.own[1] += t.pad_damping * np.outer(e, e)
+        blocks.own[2] += t.pad_stiffness * np.outer(e, e)
+
+
+@dataclass(frozen=True)
+class JointTemplates:
+    """What all joints share at each phase.
+
+    Attributes
+    ----------
+    element : ndarray of int, shape (phases,)
+        Element within its cell that holds a joint.
+    place : ndarray, shape (phases,)
+        Where in that element it stands.
+    cell_shift : ndarray of int, shape (phases,)
+        Cells that the joint of spacing 0 is ahead of the first wheel's cell, in the first cycle of phases.
+    column : ndarray, shape (phases, 2, rows, 2)
+        Mass and damping: nodal rows, joint columns.
+    row : ndarray, shape (phases, 2, rows, 2)
+        Mass and damping: joint rows (transposed), nodal columns.
+    own : ndarray, shape (2, 2, 2)
+        Mass and damping among the joint's unknowns.
+    probe : ndarray, shape (phases, rows, 2)
+        Joint rows (transposed) of the step's matrix.
+    window : ndarray, shape (phases, window rows, 2)
+        ``A^-1`` times the joint's columns.
+    window_lead : int
+        Rows by which a window begins before the joint's first node.
+    inverse : ndarray, shape (phases, 2, 2)
+        Inverse of what is left of the joint's equations when the nodes are eliminated.
+    coupling : ndarray, shape (phases, 2 neighbours + 1, 2, 2)
+        What joints ``-neighbours … neighbours`` slabs ahead do to a joint, times ``inverse``.
+    sweeps : int
+        Gauss-Seidel sweeps after which that coupling is solved to rounding.
+    """
+
+    element: Array
+    place: Array
+    cell_shift: Array
+    column: Array
+    row: Array
+    own: Array
+    probe: Array
+    window: Array
+    window_lead: int
+    inverse: Array
+    coupling: Array
+    sweeps: int
+
+    @classmethod
+    def none(cls) -> "JointTemplates":
+        """Templates where there are no joints."""
+        integers, blocks = np.zeros(1, np.int64), np.zeros((1, 2, 0, 2))
+        empty = np.zeros((1, 0, 2))
+        return cls(
+            element=integers,
+            place=np.zeros(1),
+            cell_shift=integers,
+            column=blocks,
+            row=blocks,
+            own=np.zeros((2, 2, 2)),
+            probe=empty,
+            window=empty,
+            window_lead=0,
+            inverse=np.zeros((1, 2, 2)),
+            coupling=np.zeros((1, 1, 2, 2)),
+            sweeps=0,
+        )
+
+
+def joint_templates(
+    model: TrackModel, scheme: Integrator, factors_of_track: Array, block_of_cell: Array
+) -> JointTemplates:
+    """Templates of a track whose slabs are joined, for one integrator."""
+    joints, case = JointModel(model), model.case
+    per_cell, phases = case.numerics.elements_per_pad, case.phases
+    factors = np.array([scheme.inertia, scheme.damping, 1.0])[:, None, None]
+    rows = NODE * joints.nodes
+    blocks = [joints.blocks(phase) for phase in range(phases)]
+    element = np.array([joints.location(phase)[0] for phase in range(phases)])
+    probe = np.array([(factors * b.row).sum(axis=0) for b in blocks])
+    middle = model.cells // 2
+    windows, lead, response = [], 0, np.empty((0, 2))
+    for phase in range(phases):
+        first = NODE * (middle * per_cell + element[phase])
+        response = np.zeros((NODE * model.cells * per_cell, 2))
+        response[first : first + rows] = (factors * blocks[phase].column).sum(axis=0)
+        substitute(factors_of_track, block_of_cell[phase], response, (0.0, 0.0))
+        if phase == 0:
+            lead = max(reach(response[:, j], first) for j in (0, 1)) + NODE
+        windows.append(response[first - lead : first + lead].copy())
+    window = np.array(windows)
+    own = (factors * blocks[0].own).sum(axis=0)
+    seen = np.einsum("pri,prj->pij", probe, window[:, lead : lead + rows])
+    inverse = np.linalg.inv(own - seen)
+    coupling, sweeps = _neighbours(inverse, probe, window, lead, NODE * per_cell * case.track.joint.pads_per_slab)
+    return JointTemplates(
+        element=element,
+        place=np.array([joints.location(phase)[1] for phase in range(phases)]),
+        cell_shift=np.array([model.cell_shift(case.track.joint.position, phase) for phase in range(phases)]),
+        column=np.array([b.column[:2] for b in blocks]),
+        row=np.array([b.row[:2] for b in blocks]),
+        own=blocks[0].own[:2],
+        probe=probe,
+        window=window,
+        window_lead=lead,
+        inverse=inverse,
+        coupling=coupling,
+        sweeps=sweeps,
+    )
+
+
+def _neighbours(inverse: Array, probe: Array, window: Array, lead: int, slab: int) -> tuple[Array, int]:
+    """Coupling between joints some slabs apart, while it is above rounding, and the sweeps that solve it."""
+    phases, rows, _ = probe.shape
+    pairs: list[Array] = []
+    for distance in range(1, (2 * lead) // slab + 2):
+        both = []
+        for slabs_ahead in (distance, -distance):  # of the joint that acts
+            padded = np.zeros((phases, rows, 2))
+            begin = lead - slabs_ahead * slab
+            low, high = max(begin, 0), min(begin + rows, window.shape[1])
+            if high > low:
+                padded[:, low - begin : high - begin] = window[:, low:high]
+            both.append(inverse @ np.einsum("pri,prj->pij", probe, padded))
+        pairs.append(np.array(both))
+    significant = [i for i, pair in enumerate(pairs) if np.abs(pair).max() > 1e-13]
+    neighbours = significant[-1] + 1 if significant else 0
+    coupling = np.zeros((phases, 2 * neighbours + 1, 2, 2))
+    for i in range(neighbours):
+        coupling[:, neighbours + 1 + i], coupling[:, neighbours - 1 - i] = pairs[i]
+    strength = np.abs(coupling).sum(axis=(1, 3)).max() if neighbours else 0.0
+    sweeps = 0 if neighbours == 0 else min(50, int(np.ceil(np.log(1e-15) / np.log(min(strength, 0.5)))))
+    return coupling, sweeps
+
+
+def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_of_cell: Array) -> Joints:
+    """The joints of a track for the compiled passes; none where the slab is continuous."""
+    case = model.case
+    joint, per_cell = case.track.joint, case.numerics.elements_per_pad
+    if case.slab == "continuous":
+        templates, first, count = JointTemplates.none(), 0, 0
+    else:
+        templates = joint_templates(model, scheme, factors, block_of_cell)
+        # Open where the windows around a joint do not reach the absorbing ends: there all is periodic.
+        reach_cells = -(-templates.window_lead // (NODE * per_cell)) + 1
+        first = model.absorbing_cells + reach_cells
+        count = (model.cells - model.absorbing_cells - reach_cells - first) // joint.pads_per_slab
+    return Joints(
+        **vars(templates),
+        wheel_cell=model.wheel_cell,
+        first_cell=first,
+        joints=max(count, 0),
+        pads_per_slab=joint.pads_per_slab,
+        elements_per_pad=per_cell,
+        shear_stiffness=joint.shear_stiffness,
+        shear_damping=joint.shear_damping,
+    )
+
+
+def joint_state(joints: int, lanes: int) -> JointState:
+    """Closed joints at rest."""
+    g, x, u, v, a, reported = (np.zeros((2 * joints, lanes)) for _ in range(6))
+    return JointState(g=g, x=x, u=u, v=v, a=a, response=np.zeros((2 * joints, 4)), reported=reported)

@@ -1,0 +1,273 @@
+"""Compiled passes over the joints, all lanes at once.
+
+Joints keep their unknowns in a ring of slots: joint i uses slot ``i % joints``, and when the last joint behind leaves
+the window its slot serves the next one ahead. The two unknowns of slot s are rows 2 s and 2 s + 1.
+"""
+
+from typing import NamedTuple
+
+from solver.arrays import Array
+from solver.compiled import compiled
+from solver.integrator import Integrator
+from solver.kernels import Lanes, Vector
+from solver.simd import add, fma, load, scale, store, subtract
+
+
+class Joints(NamedTuple):
+    """Templates (see :class:`solver.joint.JointTemplates`) and the window of cells in which joints are open."""
+
+    element: Array
+    place: Array
+    cell_shift: Array
+    column: Array
+    row: Array
+    own: Array
+    probe: Array
+    window: Array
+    window_lead: int
+    inverse: Array
+    coupling: Array
+    sweeps: int
+    wheel_cell: int
+    first_cell: int
+    joints: int
+    pads_per_slab: int
+    elements_per_pad: int
+    shear_stiffness: float
+    shear_damping: float
+
+
+class JointState(NamedTuple):
+    """Unknowns of all slots, shape (2 joints, lanes), and the joints' side of the right-hand side."""
+
+    g: Array
+    x: Array
+    u: Array
+    v: Array
+    a: Array
+    response: Array  # (2 joints, 4 wheels): answer of the joints to unit wheel forces
+    reported: Array  # (2 joints, lanes): accelerations in equilibrium
+
+
+@compiled
+def first_joint(c: Joints, step: int) -> int:
+    """Number of the last joint behind that is open at a step."""
+    phases = c.element.shape[0]
+    ahead = c.first_cell - c.wheel_cell - c.cell_shift[step % phases] + step // phases
+    return -(-ahead // c.pads_per_slab)
+
+
+@compiled
+def joint_row(c: Joints, step: int, joint: int) -> int:
+    """First row of the nodes around a joint at a step."""
+    phases = c.element.shape[0]
+    cell = c.wheel_cell + c.cell_shift[step % phases] - step // phases + joint * c.pads_per_slab
+    return 6 * (cell * c.elements_per_pad + c.element[step % phases])
+
+
+@compiled
+def shapes_at(c: Joints, step: int, element: int, xi: float) -> tuple[int, float, float, float, float]:
+    """Slot of the joint whose shape functions reach a place in the mesh, their values and second derivatives.
+
+    The slot is -1 where there is none. Derivatives count in lengths of fading.
+    """
+    first, n = first_joint(c, step), c.joints
+    for joint in range(first, first + n):
+        ahead = element + xi - joint_row(c, step, joint) / 6 - c.place[step % c.element.shape[0]]
+        s = ahead / c.elements_per_pad
+        if 0.0 <= s < 1.0:
+            fade = 1 - s**4 * (35 - s * (84 - s * (70 - 20 * s)))
+            slope = -140 * s**3 * (1 - s) ** 3
+            bend = -420 * s**2 * (1 - s) ** 2 * (1 - 2 * s)
+            return 2 * (joint % n), fade, s * fade, bend, 2 * slope + s * bend
+    return -1, 0.0, 0.0, 0.0, 0.0
+
+
+@compiled
+def solve_joints(c: Joints, state: JointState, step: int, x: Array, lanes: Lanes) -> None:
+    """Jumps of all joints for the track's displacements without them, which stay as they are."""
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    inverse, probe = c.inverse[phase], c.probe[phase]
+    for joint in range(first, first + n):
+        slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        h0, h1 = load(state.g, slot, lanes), load(state.g, slot + 1, lanes)
+        for i in range(probe.shape[0]):
+            displacement = load(x, row + i, lanes)
+            h0 = fma(-probe[i, 0], displacement, h0)
+            h1 = fma(-probe[i, 1], displacement, h1)
+        store(state.x, slot, fma(inverse[0, 0], h0, scale(inverse[0, 1], h1)))
+        store(state.x, slot + 1, fma(inverse[1, 0], h0, scale(inverse[1, 1], h1)))
+    if c.sweeps:
+        _settle_neighbours(c, state.x, state.x.copy(), phase, first, lanes)
+
+
+@compiled
+def _settle_neighbours(c: Joints, x: Array, alone: Array, phase: int, first: int, lanes: Lanes) -> None:
+    """Gauss-Seidel over the weak coupling of joints of short slabs."""
+    n, reach = c.joints, c.coupling.shape[1] // 2
+    for _ in range(c.sweeps):
+        for joint in range(first, first + n):
+            slot = 2 * (joint % n)
+            j0, j1 = load(alone, slot, lanes), load(alone, slot + 1, lanes)
+            for other in range(max(first, joint - reach), min(first + n, joint + reach + 1)):
+                if other != joint:
+                    k = c.coupling[phase, other - joint + reach]
+                    o0, o1 = load(x, 2 * (other % n), lanes), load(x, 2 * (other % n) + 1, lanes)
+                    j0 = fma(k[0, 0], o0, fma(k[0, 1], o1, j0))
+                    j1 = fma(k[1, 0], o0, fma(k[1, 1], o1, j1))
+            store(x, slot, j0)
+            store(x, slot + 1, j1)
+
+
+@compiled
+def respond_to_wheels(
+    c: Joints, state: JointState, step: int, windows: Array, window_start: Array, compliance: Array, rail: Array
+) -> None:
+    """Answer of the joints to unit wheel forces, and what it adds to the compliances between the wheels.
+
+    Parameters
+    ----------
+    windows, window_start
+        Of the wheels at this phase.
+    compliance : ndarray, shape (4, 4)
+        Updated.
+    rail : ndarray, shape (2 joints, 4)
+        Out: rail displacement under each wheel for unit jumps, of which the windows are subtracted.
+    """
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    wheels, length = windows.shape
+    probe, inverse = c.probe[phase], c.inverse[phase]
+    response = state.response
+    response[:] = 0.0
+    for joint in range(first, first + n):
+        slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        for wheel in range(wheels):
+            begin = row - window_start[wheel]
+            h0 = h1 = 0.0
+            for i in range(max(0, -begin), min(probe.shape[0], length - begin)):
+                h0 -= probe[i, 0] * windows[wheel, begin + i]
+                h1 -= probe[i, 1] * windows[wheel, begin + i]
+            response[slot, wheel] = inverse[0, 0] * h0 + inverse[0, 1] * h1
+            response[slot + 1, wheel] = inverse[1, 0] * h0 + inverse[1, 1] * h1
+    if c.sweeps:
+        _settle_neighbours(c, response, response.copy(), phase, first, (0.0, 0.0, 0.0, 0.0))
+    for i in range(wheels):
+        for j in range(wheels):
+            for unknown in range(2 * n):
+                compliance[i, j] -= rail[unknown, i] * response[unknown, j]
+
+
+@compiled
+def rail_under_wheels(c: Joints, step: int, wheel_row: Array, wheel_shape: Array, rail: Array) -> None:
+    """Rail displacement (2 joints, 4) under each wheel for unit jumps, as it is to be subtracted."""
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    window = c.window[phase]
+    rail[:] = 0.0
+    for joint in range(first, first + n):
+        slot, begin = 2 * (joint % n), joint_row(c, step, joint) - c.window_lead
+        for wheel in range(wheel_row.shape[0]):
+            at = wheel_row[wheel] - begin
+            if at >= 0 and at + 8 <= window.shape[0]:
+                for unknown in range(2):
+                    rail[slot + unknown, wheel] = (
+                        wheel_shape[wheel, 0] * window[at, unknown]
+                        + wheel_shape[wheel, 1] * window[at + 1, unknown]
+                        + wheel_shape[wheel, 2] * window[at + 6, unknown]
+                        + wheel_shape[wheel, 3] * window[at + 7, unknown]
+                    )
+
+
+@compiled
+def open_joints(c: Joints, state: JointState, step: int, x: Array, force: Array, lanes: Lanes) -> None:
+    """Finish the jumps under the wheels' forces and add them to the track."""
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    window = c.window[phase]
+    for joint in range(first, first + n):
+        slot = 2 * (joint % n)
+        for unknown in range(slot, slot + 2):
+            jump = load(state.x, unknown, lanes)
+            for wheel in range(force.shape[0]):
+                jump = fma(state.response[unknown, wheel], load(force, wheel, lanes), jump)
+            store(state.x, unknown, jump)
+        j0, j1 = load(state.x, slot, lanes), load(state.x, slot + 1, lanes)
+        begin = joint_row(c, step, joint) - c.window_lead
+        for i in range(window.shape[0]):
+            store(x, begin + i, fma(-window[i, 0], j0, fma(-window[i, 1], j1, load(x, begin + i, lanes))))
+
+
+@compiled
+def advance_joints(k: Integrator, state: JointState, lanes: Lanes) -> None:
+    """Update the predictors of all slots."""
+    for unknown in range(state.x.shape[0]):
+        jump, pu = load(state.x, unknown, lanes), load(state.u, unknown, lanes)
+        new = scale(k.acceleration, subtract(jump, pu))
+        old = load(state.a, unknown, lanes)
+        store(state.reported, unknown, fma(1 - k.alpha, new, scale(k.alpha, old)))
+        velocity = fma(k.velocity, new, load(state.v, unknown, lanes))
+        store(state.u, unknown, fma(k.step, velocity, fma(k.drift, new, jump)))
+        store(state.v, unknown, fma(k.kick, new, velocity))
+        store(state.a, unknown, new)
+
+
+@compiled
+def hand_over(c: Joints, state: JointState, step: int) -> None:
+    """Give the slot of a joint that leaves before a step to the one that enters, which starts closed and at rest."""
+    first = first_joint(c, step)
+    for left in range(first_joint(c, step - 1), first):
+        slot = 2 * (left % c.joints)
+        for unknown in range(slot, slot + 2):
+            for lane in range(state.u.shape[1]):
+                state.u[unknown, lane] = state.v[unknown, lane] = state.a[unknown, lane] = 0.0
+
+
+@compiled
+def probe_track(
+    k: Integrator, c: Joints, state: JointState, step: int, x: Array, u: Array, v: Array, lanes: Lanes
+) -> None:
+    """The joints' right-hand side of a step, from the track's state before it is advanced to that step."""
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    row_blocks = c.row[phase]
+    for joint in range(first, first + n):
+        slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        p0, q0, p1, q1 = _joint_load(k, state, slot, lanes)
+        m, d = c.own[0], c.own[1]
+        g0 = fma(m[0, 0], p0, fma(m[0, 1], p1, fma(d[0, 0], q0, scale(d[0, 1], q1))))
+        g1 = fma(m[1, 0], p0, fma(m[1, 1], p1, fma(d[1, 0], q0, scale(d[1, 1], q1))))
+        for i in range(row_blocks.shape[1]):
+            pu = load(u, row + i, lanes)
+            displacement = load(x, row + i, lanes)
+            new = scale(k.acceleration, subtract(displacement, pu))
+            velocity = fma(k.velocity, new, load(v, row + i, lanes))
+            pu = fma(k.step, velocity, fma(k.drift, new, displacement))
+            pv = fma(k.kick, new, velocity)
+            p = fma(-k.alpha, new, scale(k.inertia, pu))
+            q = subtract(scale(k.damping, pu), pv)
+            g0 = fma(row_blocks[0, i, 0], p, fma(row_blocks[1, i, 0], q, g0))
+            g1 = fma(row_blocks[0, i, 1], p, fma(row_blocks[1, i, 1], q, g1))
+        store(state.g, slot, g0)
+        store(state.g, slot + 1, g1)
+
+
+@compiled
+def _joint_load(k: Integrator, state: JointState, slot: int, lanes: Lanes) -> tuple[Vector, Vector, Vector, Vector]:
+    """P and q of a joint's two unknowns."""
+    u0, u1 = load(state.u, slot, lanes), load(state.u, slot + 1, lanes)
+    a0, a1 = load(state.a, slot, lanes), load(state.a, slot + 1, lanes)
+    p0, p1 = fma(-k.alpha, a0, scale(k.inertia, u0)), fma(-k.alpha, a1, scale(k.inertia, u1))
+    q0 = subtract(scale(k.damping, u0), load(state.v, slot, lanes))
+    q1 = subtract(scale(k.damping, u1), load(state.v, slot + 1, lanes))
+    return p0, q0, p1, q1
+
+
+@compiled
+def load_track(k: Integrator, c: Joints, state: JointState, step: int, r: Array, lanes: Lanes) -> None:
+    """Add what the joints contribute to the track's right-hand side of a step."""
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    column = c.column[phase]
+    for joint in range(first, first + n):
+        row = joint_row(c, step, joint)
+        p0, q0, p1, q1 = _joint_load(k, state, 2 * (joint % n), lanes)
+        for i in range(column.shape[1]):
+            change = fma(column[0, i, 0], p0, scale(column[0, i, 1], p1))
+            change = fma(column[1, i, 0], q0, fma(column[1, i, 1], q1, change))
+            store(r, row + i, add(load(r, row + i, lanes), change))
