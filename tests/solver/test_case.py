@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from solver.case import Case, Harmonic, Numerics, Smooth, Spectral, Track, Vehicle
+from solver.case import Case, Harmonic, Joint, Numerics, Smooth, Spectral, Track, Vehicle
 from solver.catalogue import TRACKS, VEHICLES
 from solver.quantity import InvalidParameterError, quantities
 
@@ -31,6 +31,14 @@ def test_equal_physics_has_one_digest_and_different_physics_another(make_case):
     digests = {make_case(irregularity=i).digest() for i in IRREGULARITIES}
     digests |= {make_case(track=replace(case.track, pad_stiffness=4e7)).digest(), case.digest()}
     assert len(digests) == 5
+
+
+def test_joints_count_only_where_there_are_any(make_case):
+    case = make_case()
+    without_shear = replace(case.track, joint=Joint(shear_stiffness=0.0))
+    assert make_case(track=without_shear).digest() == case.digest()
+    discontinuous = make_case(slab="discontinuous")
+    assert make_case(slab="discontinuous", track=without_shear).digest() != discontinuous.digest() != case.digest()
 
 
 def test_operator_key_is_shared_by_what_can_march_together(make_case):
