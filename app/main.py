@@ -56,7 +56,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         yield
-        context.database.engine.dispose()
+        context.database.close()
 
     app = FastAPI(
         title="TrackSweep",

@@ -71,7 +71,7 @@ class Sweeper:
         """End, once the sweep at hand is done."""
         self._over.set()
         self._thread.join()
-        self._database.engine.dispose()
+        self._database.close()
 
     def _run(self) -> None:
         try:

@@ -40,6 +40,10 @@ class Database:
         with self._readers() as session:
             yield session
 
+    def close(self) -> None:
+        """Close the connections that nobody uses."""
+        self.engine.dispose()
+
 
 def create_engine_for(url: str, *, foreign_keys: bool = True) -> Engine:
     """The engine for a URL; ``foreign_keys=False`` leaves them unenforced where the database allows (SQLite)."""

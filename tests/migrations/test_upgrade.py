@@ -47,12 +47,12 @@ def test_a_failed_upgrade_leaves_nothing(empty_url: str) -> None:
         session.execute(text("CREATE TABLE peak (id INTEGER)"))
     with pytest.raises(Exception, match="peak"):
         migrations.upgrade(empty_url)
-    database.engine.dispose()
+    database.close()
     assert tables(empty_url) == {"peak"}
 
 
 def tables(url: str) -> set[str]:
     database = Database(url)
     names = set(inspect(database.engine).get_table_names())
-    database.engine.dispose()
+    database.close()
     return names

@@ -1,0 +1,230 @@
+"""Claiming, keeping and losing cases, on both databases."""
+
+import multiprocessing
+from collections import Counter
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
+import pytest
+from sqlalchemy import func, select, update
+
+from app.context import Context
+from app.db.models import Case, Event, IdempotencyKey, Peak
+from app.db.session import Database
+from app.db.types import Clock
+from app.idempotency import KEPT_S
+from app.studies import service
+from app.studies.schemas import StudyDetail
+from worker import lease
+from worker.sweeper import sweep
+
+Submit = Callable[..., StudyDetail]
+
+
+def claim(database: Database, lease_s: float = 15.0) -> lease.Claim:
+    with database.write() as session:
+        held = lease.claim(session, "test", lease_s)
+    assert held is not None
+    return held
+
+
+def expire(database: Database) -> None:
+    """Let every lease run out."""
+    with database.write() as session:
+        session.execute(update(Case).values(lease_expires=Clock() - 0.001))
+
+
+def get(database: Database, case_id: int) -> Case:
+    with database.read() as session:
+        return session.scalars(select(Case).where(Case.id == case_id)).one()
+
+
+def claim_all(url: str) -> list[int]:
+    """Claim and finish until nothing is queued, from four threads."""
+    database = Database(url)
+
+    def drain(_: int) -> list[int]:
+        mine = []
+        while True:
+            with database.write() as session:
+                held = lease.claim(session, "test", 15.0)
+            if held is None:
+                return mine
+            with database.write() as session:
+                assert lease.succeed(session, held, peaks=[], history=None, cpu_s=0.0)
+            mine.append(held.case_id)
+
+    with ThreadPoolExecutor(4) as pool:
+        claimed = [case_id for mine in pool.map(drain, range(4)) for case_id in mine]
+    database.close()
+    return claimed
+
+
+@pytest.fixture(scope="module")
+def two_processes() -> Iterator[ProcessPoolExecutor]:
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
+        yield pool
+
+
+def test_many_workers_claim_each_case_once(
+    database_url: str, database: Database, submit: Submit, two_processes: ProcessPoolExecutor
+) -> None:
+    studies = [submit(*range(200, 260)), submit(*range(230, 290))]  # in part the same cases
+    claimed = [case_id for mine in two_processes.map(claim_all, [database_url] * 2) for case_id in mine]
+    assert len(claimed) == 90
+    assert max(Counter(claimed).values()) == 1
+    with database.read() as session:
+        assert [service.get(session, study.id).state for study in studies] == ["succeeded"] * 2
+        done = session.scalars(select(Event.study_id).where(Event.kind == "done")).all()
+        assert sorted(done) == sorted(study.id for study in studies)  # each said once
+        ends = select(func.count()).where(Event.kind == "case")
+        assert session.scalar(ends) == 120
+
+
+def test_the_last_two_cases_end_at_once(database: Database, submit: Submit) -> None:
+    for speed in range(200, 210):
+        submit(speed, speed + 100)
+        held = [claim(database), claim(database)]
+
+        def end(one: lease.Claim) -> None:
+            with database.write() as session:
+                assert lease.succeed(session, one, peaks=[], history=None, cpu_s=0.0)
+
+        with ThreadPoolExecutor(2) as pool:
+            list(pool.map(end, held))
+    with database.read() as session:
+        assert session.scalar(select(func.count()).where(Event.kind == "done")) == 10
+
+
+def test_order_is_priority_and_then_age(database: Database, submit: Submit) -> None:
+    submit(200, 210)
+    submit(220, priority=5)
+    submit(230, 210, priority=1)  # lends its priority to the case that both want
+    speeds = []
+    for _ in range(4):
+        speeds.append(get(database, claim(database).case_id).speed_kmh)
+    assert speeds == [220, 210, 230, 200]
+
+
+def test_nothing_to_claim(database: Database) -> None:
+    with database.write() as session:
+        assert lease.claim(session, "test", 15.0) is None
+
+
+def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(
+    database: Database, submit: Submit
+) -> None:
+    submit(300)
+    late = claim(database)
+    with database.write() as session:
+        assert not sweep(session, max_attempts=3)  # still holds
+    expire(database)
+    with ThreadPoolExecutor(4) as pool:  # sweepers at once
+
+        def run(_: int) -> bool:
+            with database.write() as session:
+                return sweep(session, max_attempts=3)
+
+        assert any(pool.map(run, range(4)))
+    again = claim(database)
+    assert (again.case_id, again.attempt) == (late.case_id, late.attempt + 1)
+    found = [{"quantity": "pad_force", "position": "middle", "unit": "N"} | dict.fromkeys(STATISTICS, 1.0)]
+    with database.write() as session:
+        assert not lease.extend(session, late, 15.0, 0.9)
+        assert not lease.succeed(session, late, peaks=found, history=None, cpu_s=1.0)
+        assert not lease.fail(session, late, "diverged", "late")
+        assert not lease.give_up(session, late, 3, "late")
+        assert not lease.release(session, late)
+    assert (get(database, late.case_id).state, get(database, late.case_id).progress) == ("running", 0)
+    with database.write() as session:
+        assert lease.succeed(session, again, peaks=found, history=None, cpu_s=1.0)
+    with database.read() as session:
+        assert session.scalar(select(func.count()).select_from(Peak)) == 1
+
+
+STATISTICS = ("peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "track_position_m")
+
+
+def test_a_heartbeat_keeps_the_lease(database: Database, submit: Submit) -> None:
+    submit(300)
+    held = claim(database, lease_s=0.0)
+    with database.write() as session:
+        assert lease.extend(session, held, 15.0, 0.25)
+        sweep(session, max_attempts=3)
+    case = get(database, held.case_id)
+    assert (case.state, case.progress, case.attempt) == ("running", 0.25, 1)
+
+
+def test_poison_is_quarantined(database: Database, submit: Submit) -> None:
+    study = submit(300)
+    for _ in range(3):
+        held = claim(database)
+        expire(database)
+        with database.write() as session:
+            sweep(session, max_attempts=3)
+    case = get(database, held.case_id)
+    assert (case.state, case.attempt) == ("failed", 3)
+    assert case.error is not None
+    assert case.error["code"] == "poison"
+    with database.read() as session:
+        assert service.get(session, study.id).state == "failed"
+
+
+def test_a_released_case_is_not_to_blame(database: Database, submit: Submit) -> None:
+    submit(300)
+    for _ in range(5):
+        held = claim(database)
+        assert held.attempt == 1
+        with database.write() as session:
+            assert lease.release(session, held)
+    assert get(database, held.case_id).state == "queued"
+
+
+def test_a_cancelled_case_has_no_lease(database: Database, submit: Submit) -> None:
+    submit(300)
+    held = claim(database)
+    with database.write() as session:
+        session.execute(update(Case).values(state="cancelled"))
+    with database.write() as session:
+        assert not lease.extend(session, held, 15.0, 0.5)
+    submit(300, 310)  # and is queued again when somebody wants it
+    assert get(database, held.case_id).state == "queued"
+
+
+def test_a_history_that_is_wanted_late_is_computed_once_more(database: Database, submit: Submit) -> None:
+    submit(300)
+    held = claim(database)
+    submit(300, keep_history=True)
+    with database.write() as session:
+        assert lease.succeed(session, held, peaks=[], history=None, cpu_s=0.0)
+    assert get(database, held.case_id).state == "queued"
+    again = claim(database)
+    history = {"key": "k", "digest": "d" * 64, "size_bytes": 1}
+    with database.write() as session:
+        assert lease.succeed(session, again, peaks=[], history=history, cpu_s=0.0)
+    assert get(database, held.case_id).state == "succeeded"
+
+
+def test_old_idempotency_keys_are_forgotten(database: Database) -> None:
+    with database.write() as session:
+        for key, age in (("old", KEPT_S + 1), ("new", KEPT_S - 60)):
+            session.add(IdempotencyKey(key=key, request_digest="", response={}, created_at=Clock() - age))
+    with database.write() as session:
+        sweep(session, max_attempts=3)
+        assert session.scalars(select(IdempotencyKey.key)).all() == ["new"]
+
+
+@pytest.mark.parametrize("threads", [16])
+def test_no_increment_is_lost(database: Database, submit: Submit, context: Context, threads: int) -> None:
+    """Read, modify, write: what the driver's own transactions lose on SQLite."""
+    submit(300)
+
+    def increment(_: int) -> None:
+        with database.write() as session:
+            case = session.scalars(select(Case).with_for_update()).one()
+            case.attempt += 1
+
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(increment, range(200)))
+    with database.read() as session:
+        assert session.scalar(select(Case.attempt)) == 200

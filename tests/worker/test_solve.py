@@ -1,0 +1,58 @@
+"""``tracksweep solve`` inside the process: what it says of wrong cases and of those that cannot be solved."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from solver.simulate import DivergedError
+from worker import solve
+from worker.casefile import read_case
+
+WAVE = {"kind": "harmonic", "wavelength_m": 1.0, "amplitude_mm": 0.3}
+CASE = {"speed_kmh": 300, "irregularity": WAVE}
+BAND = {"min": 30, "max": 2}
+
+
+def written(folder: Path, content: Any) -> Path:
+    path = folder / "case.json"
+    path.write_text(json.dumps(content))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (CASE | {"speed_kmh": 900}, "speed_kmh: Input should be less than or equal to 600"),
+        (CASE | {"numerics": {"track_length_m": 10}}, "numerics.track_length_m: Input should be greater than or"),
+        (CASE | {"irregularity": WAVE | {"wavelength_m": "1"}}, "irregularity.wavelength_m: Input should be a valid"),
+        (CASE | {"irregularity": {"kind": "spectrum", "wavelength_band_m": BAND}}, "irregularity.wavelength_band_m: "),
+        (CASE | {"colour": "red"}, "colour: Extra inputs are not permitted"),
+        ([], "the file: "),
+    ],
+)
+def test_a_wrong_case_is_told_by_field_and_bound(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: Any, words: str
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        read_case(written(tmp_path, content))
+    assert ended.value.code == 2
+    assert words in capsys.readouterr().err
+
+
+def test_a_file_that_is_missing_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        read_case(tmp_path / "none.json")
+    assert ended.value.code == 2
+    assert "none.json: No such file" in capsys.readouterr().err
+
+
+def test_a_case_that_cannot_be_solved_exits_with_1(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(solve, "solve", lambda cases, on_progress: [DivergedError("it grew and grew")])
+    with pytest.raises(SystemExit) as ended:
+        solve.run(read_case(written(tmp_path, CASE)), histories=None, as_json=False)
+    assert ended.value.code == 1
+    assert capsys.readouterr().err == "diverged: it grew and grew\n"
