@@ -27,9 +27,12 @@ def solve(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """Solve one case here and now, without a service, and print its peaks."""
+    from worker.casefile import read_case
+
+    checked = read_case(case)
     from worker.solve import run
 
-    run(case, out, as_json)
+    run(checked, out, as_json)
 
 
 @program.command()
@@ -55,7 +58,17 @@ def worker() -> None:
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
     from worker.celery import app
 
-    app.worker_main(["worker", "--hostname", f"worker-{os.getpid()}@%h", "--loglevel", "INFO", "--without-gossip", "--without-mingle"])
+    app.worker_main(
+        [
+            "worker",
+            "--hostname",
+            f"worker-{os.getpid()}@%h",
+            "--loglevel",
+            "INFO",
+            "--without-gossip",
+            "--without-mingle",
+        ]
+    )
 
 
 def main() -> None:

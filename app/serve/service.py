@@ -79,7 +79,7 @@ def serve(settings: Settings) -> None:
 
 
 def _stages(settings: Settings, listener: socket.socket) -> list[list[Part]]:
-    """What runs, in the order of starting: the broker unless another is named, then all that may need it."""
+    """What runs, in the order of starting: the broker unless another is named, the API, the workers."""
     url = url_of(listener)
 
     async def api_ready() -> bool:
@@ -91,7 +91,7 @@ def _stages(settings: Settings, listener: socket.socket) -> list[list[Part]]:
     descriptor = listener.fileno()
     api = Part(name="api", command=[*PROGRAM, "api", "--fd", str(descriptor)], ready=api_ready, pass_fds=[descriptor])
     workers = [Part(name=f"worker-{n + 1}", command=[*PROGRAM, "worker"]) for n in range(settings.workers)]
-    return [[] if settings.broker_url else [broker_part(settings)], [api, *workers]]
+    return [[] if settings.broker_url else [broker_part(settings)], [api], workers]
 
 
 def _migrate(log_file: Path) -> None:
