@@ -15,7 +15,7 @@ class Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
-def bounded(cls: type, name: str, scale: float = 1.0) -> Any:
+def bounded(cls: type, name: str, scale: float = 1.0, unit: str | None = None) -> Any:
     """Bounds, unit and meaning of a dataclass's quantity, for ``Annotated``.
 
     Parameters
@@ -26,11 +26,12 @@ def bounded(cls: type, name: str, scale: float = 1.0) -> Any:
         Name of the quantity inside.
     scale : float
         Units at the boundary per unit inside (3.6 for km/h).
+    unit : str, optional
+        The unit at the boundary, if another than inside.
     """
     q = next(q for inside, _, q in quantities(cls) if inside == name)
     bounds = {bound: value if scale == 1 else round(value * scale, 9) for bound, value in q.bounds().items()}
-    unit = f", {q.unit}" if q.unit and scale == 1 else ""
-    description = f"{q.meaning[0].upper()}{q.meaning[1:]}{unit}."
+    description = ", ".join(filter(None, [q.meaning[0].upper() + q.meaning[1:], unit or q.unit])) + "."
     ge, gt, le, lt = map(bounds.get, ("ge", "gt", "le", "lt"))
     return Field(description=description, ge=ge, gt=gt, le=le, lt=lt)
 

@@ -12,10 +12,10 @@ from solver.catalogue import SPECTRA, TRACKS, VEHICLES
 KMH_PER_M_PER_S = 3.6
 M_PER_MM = 1e-3
 
-Speed = Annotated[float, bounded(Case, "speed", KMH_PER_M_PER_S)]
+Speed = Annotated[float, bounded(Case, "speed", KMH_PER_M_PER_S, "km/h")]
 Percentile = Annotated[float, bounded(Spectral, "percentile")]
 Wavelength = Annotated[float, bounded(Harmonic, "wavelength")]
-AmplitudeMm = Annotated[float, bounded(Harmonic, "amplitude", 1 / M_PER_MM)]
+AmplitudeMm = Annotated[float, bounded(Harmonic, "amplitude", 1 / M_PER_MM, "mm")]
 Seed = Annotated[int, bounded(Spectral, "seed")]
 
 if TYPE_CHECKING:  # what is made at run time, as far as a type checker needs to know
