@@ -43,9 +43,8 @@ def shown_unit(unit: str) -> tuple[str, float]:
     return SHOWN_IN.get(unit, (unit, 1.0))
 
 
-def shown(value: float, unit: str) -> str:
-    """A value in the unit people use, with four digits."""
-    value *= shown_unit(unit)[1]
+def digits(value: float) -> str:
+    """A value with four significant digits and no exponent."""
     if value == 0 or not math.isfinite(value):
         return f"{value:g}"
     return f"{value:.{max(0, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(abs(value))))}f}"
@@ -63,12 +62,13 @@ def peaks_table(rows: Iterable[Mapping[str, Any]], conditions: Mapping[str, str]
         table.add_column(heading, justify="right")
     table.add_column("unit")
     for row in rows:
-        values = [shown(row[key], row["unit"]) for key in ("peak", "maximum", "minimum", "rms")]
+        unit, factor = shown_unit(row["unit"])
+        values = [digits(factor * row[key]) for key in ("peak", "maximum", "minimum", "rms")]
         table.add_row(
             *(f"{row[key]:g}" if isinstance(row[key], float) else str(row[key]) for key in conditions),
             row["quantity"].replace("_", " "),
             row["position"].replace("_", " "),
             *values,
-            shown_unit(row["unit"])[0],
+            unit,
         )
     return table
