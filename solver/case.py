@@ -7,6 +7,36 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Literal, get_args
 
 from solver.quantity import Checked, InvalidParameterError, quantity
+from solver.railhead import (
+    IRREGULARITY_KINDS,
+    Dip,
+    Harmonic,
+    Irregularity,
+    Measured,
+    Smooth,
+    Spectral,
+    Sum,
+    irregularity_from_dict,
+    irregularity_to_dict,
+)
+
+__all__ = [
+    "IRREGULARITY_KINDS",
+    "Case",
+    "Dip",
+    "Harmonic",
+    "Irregularity",
+    "Joint",
+    "Measured",
+    "Numerics",
+    "Slab",
+    "Smooth",
+    "Spectral",
+    "Sum",
+    "Track",
+    "Vehicle",
+    "WheelTread",
+]
 
 CLEARANCE = 6.0  # m of track between the outer wheels and the absorbing ends
 MAX_PHASES = 2000  # steps from pad to pad: each has its own factors in memory
@@ -90,63 +120,6 @@ class Track(Checked):
     roadbed_stiffness: float = quantity("N/m^2", "stiffness of the roadbed per length", gt=0, le=1e18)
     roadbed_damping: float = quantity("N s/m^2", "damping of the roadbed per length", ge=0, le=1e10)
     joint: Joint = field(default_factory=Joint)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Smooth:
-    """A perfectly even rail head."""
-
-    @property
-    def shortest_wavelength(self) -> float:
-        """Shortest wavelength contained, m."""
-        return math.inf
-
-
-@dataclass(frozen=True, kw_only=True)
-class Harmonic(Checked):
-    """``A sin(2 pi x / wavelength)``, positive downwards (Eq. 16 of the article)."""
-
-    _path = "irregularity."
-
-    wavelength: float = quantity("m", "wavelength", ge=0.1, le=200)
-    amplitude: float = quantity("m", "amplitude", ge=0, le=0.02)
-
-    @property
-    def shortest_wavelength(self) -> float:
-        """Shortest wavelength contained, m."""
-        return self.wavelength
-
-
-@dataclass(frozen=True, kw_only=True)
-class Spectral(Checked):
-    """One realisation of a power spectral density within a wavelength band."""
-
-    _path = "irregularity."
-
-    spectrum: str = "tb3352-ballastless"
-    percentile: float = quantity("%", "percentile of the spectrum", gt=0, lt=100, default=63.2)
-    wavelength_min: float = quantity("m", "shortest wavelength", ge=0.1, le=200)
-    wavelength_max: float = quantity("m", "longest wavelength", ge=0.1, le=200)
-    seed: int = quantity("", "seed of the random phases", ge=0, lt=2**63, default=1)
-    realisation: int = quantity("", "number of the realisation, from 0", ge=0, lt=2**31, default=0)
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if self.wavelength_min >= self.wavelength_max:
-            raise InvalidParameterError(
-                "irregularity.wavelength_band_m",
-                f"must have min < max, is {self.wavelength_min:g} to {self.wavelength_max:g} m",
-            )
-
-    @property
-    def shortest_wavelength(self) -> float:
-        """Shortest wavelength contained, m."""
-        return self.wavelength_min
-
-
-Irregularity = Smooth | Harmonic | Spectral
-IRREGULARITY_KINDS: dict[str, type[Irregularity]] = {"none": Smooth, "harmonic": Harmonic, "spectrum": Spectral}
-_KIND_OF = {cls: kind for kind, cls in IRREGULARITY_KINDS.items()}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -239,17 +212,17 @@ class Case(Checked):
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers, strings and dicts in SI units, from which :meth:`from_dict` gives an equal case."""
-        return asdict(self) | {"irregularity": {"kind": _KIND_OF[type(self.irregularity)], **asdict(self.irregularity)}}
+        parts = {name: asdict(part) for name, part in vars(self).items() if name in ("track", "vehicle", "numerics")}
+        irregularity = irregularity_to_dict(self.irregularity)
+        return {"speed": self.speed, "slab": self.slab, "irregularity": irregularity, **parts}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Case":
         """The case of a :meth:`to_dict`."""
-        irregularity = dict(data["irregularity"])
-        kind = irregularity.pop("kind")
         return cls(
             speed=data["speed"],
             slab=data["slab"],
-            irregularity=IRREGULARITY_KINDS[kind](**irregularity),
+            irregularity=irregularity_from_dict(data["irregularity"]),
             track=Track(**data["track"] | {"joint": Joint(**data["track"]["joint"])}),
             vehicle=Vehicle(**data["vehicle"]),
             numerics=Numerics(**data["numerics"]),

@@ -4,20 +4,18 @@ import numpy as np
 
 from solver.arrays import Array
 from solver.case import Vehicle
+from solver.catalogue import TREADS
 from solver.compiled import compiled
 
 WHEELS = 4
 _ITERATIONS = 60
 _TOLERANCE = 1e-15  # m; penetrations are near 1e-4
 
-# G = factor R^exponent, in m/N^(2/3) with R in m.
-_TREAD = {"worn": (3.86e-8, -0.115), "conical": (4.57e-8, -0.149)}
-
 
 def hertz_constant(vehicle: Vehicle) -> float:
     """G of ``F = (penetration / G)^(3/2)``, m/N^(2/3)."""
-    factor, exponent = _TREAD[vehicle.wheel_tread]
-    return float(factor * vehicle.wheel_radius**exponent)
+    tread = TREADS[vehicle.wheel_tread].values
+    return float(tread.factor * vehicle.wheel_radius**tread.exponent)
 
 
 def hertz_stiffness(constant: float, force: float) -> float:

@@ -1,7 +1,7 @@
 """Physical fields of frozen dataclasses: unit, bounds and meaning declared once, checked on construction."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -92,6 +92,29 @@ def quantities(cls: type) -> Iterator[tuple[str, str, Quantity]]:
             yield f.name, f"{f.name}_{suffix}" if suffix else f.name, q
 
 
+def floats(
+    parameter: str, values: Iterable[float], low: float, high: float, least: int, most: int
+) -> tuple[float, ...]:
+    """A tuple of ``least`` to ``most`` floats, none below ``low`` or above ``high``.
+
+    Raises
+    ------
+    InvalidParameterError
+        If they are anything else.
+    """
+    given = tuple(values)
+    if not least <= len(given) <= most:
+        count = f"{least}" if least == most else f"{least} to {most}"
+        raise InvalidParameterError(parameter, f"must be {count} numbers, are {len(given)}")
+    bounds = Quantity("", "", ge=low, le=high)
+    for n, value in enumerate(given):
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise InvalidParameterError(f"{parameter}.{n}", f"must be a number, is {value!r}")
+        if not low <= value <= high:  # false for what is not a number
+            raise InvalidParameterError(f"{parameter}.{n}", bounds.problem(value) or "")
+    return tuple(map(float, given))
+
+
 class Checked:
     """Base of the physical dataclasses: numbers get their declared type and must meet their bounds.
 
@@ -102,12 +125,14 @@ class Checked:
     _path = ""
 
     def __post_init__(self) -> None:
-        for name, boundary_name, q in quantities(type(self)):
+        cls: type = type(self)
+        types = {f.name: f.type for f in fields(cls)}
+        for name, boundary_name, q in quantities(cls):
             value = getattr(self, name)
             path = f"{self._path}{boundary_name}"
             if isinstance(value, bool) or not isinstance(value, (int, float)):
                 raise InvalidParameterError(path, f"must be a number, is {value!r}")
             if (problem := q.problem(value)) is not None:
                 raise InvalidParameterError(path, problem)
-            if type(self).__annotations__[name] is float:  # 1 and 1.0 must give one digest
+            if types[name] is float:  # 1 and 1.0 must give one digest
                 object.__setattr__(self, name, float(value))

@@ -5,7 +5,9 @@ from hypothesis import strategies as st
 
 from solver.case import Harmonic, Smooth, Spectral
 from solver.catalogue import SPECTRA
-from solver.irregularity import components, percentile_factor, sample, spectral_density, variance_between
+from solver.density import density as spectral_density
+from solver.density import variance_between
+from solver.irregularity import components, percentile_factor, sample
 
 SPECTRUM = SPECTRA["tb3352-ballastless"].values
 
