@@ -173,12 +173,14 @@ class JointTemplates:
         ``A^-1`` times the joint's columns.
     window_lead : int
         Rows by which a window begins before the joint's first node.
-    inverse : ndarray, shape (phases, 2, 2)
-        Inverse of what is left of the joint's equations when the nodes are eliminated.
+    remainder : ndarray, shape (phases, 2, 2)
+        What is left of the joint's equations when the nodes are eliminated.
     coupling : ndarray, shape (phases, 2 neighbours + 1, 2, 2)
-        What joints ``-neighbours … neighbours`` slabs ahead do to a joint, times ``inverse``.
+        What joints ``-neighbours … neighbours`` slabs ahead do to a joint's equations.
     sweeps : int
         Gauss-Seidel sweeps after which that coupling is solved to rounding.
+    lock : ndarray, shape (2,)
+        Stiffness of a slab one spacing long against a jump and a slope jump.
     """
 
     element: Array
@@ -190,9 +192,10 @@ class JointTemplates:
     probe: Array
     window: Array
     window_lead: int
-    inverse: Array
+    remainder: Array
     coupling: Array
     sweeps: int
+    lock: Array
 
     @classmethod
     def none(cls) -> "JointTemplates":
@@ -209,9 +212,10 @@ class JointTemplates:
             probe=empty,
             window=empty,
             window_lead=0,
-            inverse=np.zeros((1, 2, 2)),
+            remainder=np.zeros((1, 2, 2)),
             coupling=np.zeros((1, 1, 2, 2)),
             sweeps=0,
+            lock=np.zeros(2),
         )
 
 
@@ -239,8 +243,9 @@ def joint_templates(
     window = np.array(windows)
     own = (factors * blocks[0].own).sum(axis=0)
     seen = np.einsum("pri,prj->pij", probe, window[:, lead : lead + rows])
-    inverse = np.linalg.inv(own - seen)
-    coupling, sweeps = _neighbours(inverse, probe, window, lead, NODE * per_cell * case.track.joint.pads_per_slab)
+    remainder = own - seen
+    coupling, sweeps = _neighbours(remainder, probe, window, lead, NODE * per_cell * case.track.joint.pads_per_slab)
+    bending = case.track.slab_elastic_modulus * case.track.slab_second_moment
     return JointTemplates(
         element=element,
         place=np.array([joints.location(phase)[1] for phase in range(phases)]),
@@ -251,34 +256,37 @@ def joint_templates(
         probe=probe,
         window=window,
         window_lead=lead,
-        inverse=inverse,
+        remainder=remainder,
         coupling=coupling,
         sweeps=sweeps,
+        lock=bending / joints.length ** np.array([3.0, 1.0]),
     )
 
 
-def _neighbours(inverse: Array, probe: Array, window: Array, lead: int, slab: int) -> tuple[Array, int]:
+def _neighbours(remainder: Array, probe: Array, window: Array, lead: int, slab: int) -> tuple[Array, int]:
     """Coupling between joints some slabs apart, while it is above rounding, and the sweeps that solve it."""
     phases, rows, _ = probe.shape
-    pairs: list[Array] = []
-    for distance in range(1, (2 * lead) // slab + 2):
-        both = []
-        for slabs_ahead in (distance, -distance):  # of the joint that acts
-            padded = np.zeros((phases, rows, 2))
-            begin = lead - slabs_ahead * slab
-            low, high = max(begin, 0), min(begin + rows, window.shape[1])
-            if high > low:
-                padded[:, low - begin : high - begin] = window[:, low:high]
-            both.append(inverse @ np.einsum("pri,prj->pij", probe, padded))
-        pairs.append(np.array(both))
-    significant = [i for i, pair in enumerate(pairs) if np.abs(pair).max() > 1e-13]
-    neighbours = significant[-1] + 1 if significant else 0
-    coupling = np.zeros((phases, 2 * neighbours + 1, 2, 2))
-    for i in range(neighbours):
-        coupling[:, neighbours + 1 + i], coupling[:, neighbours - 1 - i] = pairs[i]
-    strength = np.abs(coupling).sum(axis=(1, 3)).max() if neighbours else 0.0
-    sweeps = 0 if neighbours == 0 else min(50, int(np.ceil(np.log(1e-15) / np.log(min(strength, 0.5)))))
-    return coupling, sweeps
+    inverse = np.linalg.inv(remainder)
+
+    def seen_from(slabs: int) -> Array:
+        """What a joint's equations see of another so many slabs ahead."""
+        padded = np.zeros((phases, rows, 2))
+        begin = lead - slabs * slab
+        low, high = max(begin, 0), min(begin + rows, window.shape[1])
+        if high > low:
+            padded[:, low - begin : high - begin] = window[:, low:high]
+        return np.einsum("pri,prj->pij", probe, padded)
+
+    strengths: list[float] = []
+    while (strength := max(np.abs(inverse @ seen_from(sign * (len(strengths) + 1))).max() for sign in (1, -1))) > 1e-13:
+        strengths.append(strength)
+    neighbours = len(strengths)
+    coupling = np.stack(
+        [seen_from(k) if k else np.zeros_like(remainder) for k in range(-neighbours, neighbours + 1)], 1
+    )
+    if not neighbours:
+        return coupling, 0
+    return coupling, min(60, int(np.ceil(np.log(1e-15) / np.log(min(4 * sum(strengths), 0.5)))))
 
 
 def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_of_cell: Array) -> Joints:
@@ -308,4 +316,5 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
 def joint_state(joints: int, lanes: int) -> JointState:
     """Closed joints at rest."""
     g, x, u, v, a, reported = (np.zeros((2 * joints, lanes)) for _ in range(6))
-    return JointState(g=g, x=x, u=u, v=v, a=a, response=np.zeros((2 * joints, 4)), reported=reported)
+    response, inverse = np.zeros((2 * joints, 4)), np.zeros((joints, 2, 2))
+    return JointState(g=g, x=x, u=u, v=v, a=a, response=response, reported=reported, inverse=inverse)

@@ -10,7 +10,12 @@ from solver.arrays import Array
 from solver.compiled import compiled
 from solver.integrator import Integrator
 from solver.kernels import Lanes, Vector
-from solver.simd import add, fma, load, scale, store, subtract
+from solver.simd import add, fma, load, scale, store, subtract, zero
+
+# A joint does not open at once where it enters the window, nor close at once where it leaves: springs hold it that
+# lose this many powers of ten, half of them above the slab's own stiffness, over so many cells.
+LOCKED_CELLS = 10
+LOCK_DECADES = 4
 
 
 class Joints(NamedTuple):
@@ -25,9 +30,10 @@ class Joints(NamedTuple):
     probe: Array
     window: Array
     window_lead: int
-    inverse: Array
+    remainder: Array
     coupling: Array
     sweeps: int
+    lock: Array
     wheel_cell: int
     first_cell: int
     joints: int
@@ -47,6 +53,7 @@ class JointState(NamedTuple):
     a: Array
     response: Array  # (2 joints, 4 wheels): answer of the joints to unit wheel forces
     reported: Array  # (2 joints, lanes): accelerations in equilibrium
+    inverse: Array  # (joints, 2, 2): inverse of each joint's own equations
 
 
 @compiled
@@ -84,12 +91,30 @@ def shapes_at(c: Joints, step: int, element: int, xi: float) -> tuple[int, float
 
 
 @compiled
+def invert_joints(c: Joints, state: JointState, step: int) -> None:
+    """Inverse of every joint's own equations; near the ends springs hold it that fade as it comes nearer."""
+    phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
+    m = c.remainder[phase]
+    for joint in range(first, first + n):
+        cell = (joint_row(c, step, joint) / 6 + c.place[phase]) / c.elements_per_pad - c.first_cell
+        part = min(cell, n * c.pads_per_slab - cell) / LOCKED_CELLS
+        held = 10.0 ** (LOCK_DECADES * (1 - 2 * part)) - 10.0**-LOCK_DECADES if part < 1 else 0.0
+        a, d = m[0, 0] + held * c.lock[0], m[1, 1] + held * c.lock[1]
+        determinant = a * d - m[0, 1] * m[1, 0]
+        inverse = state.inverse[joint % n]
+        inverse[0, 0], inverse[1, 1] = d / determinant, a / determinant
+        inverse[0, 1], inverse[1, 0] = -m[0, 1] / determinant, -m[1, 0] / determinant
+
+
+@compiled
 def solve_joints(c: Joints, state: JointState, step: int, x: Array, lanes: Lanes) -> None:
     """Jumps of all joints for the track's displacements without them, which stay as they are."""
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
-    inverse, probe = c.inverse[phase], c.probe[phase]
+    probe = c.probe[phase]
+    invert_joints(c, state, step)
     for joint in range(first, first + n):
         slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        inverse = state.inverse[joint % n]
         h0, h1 = load(state.g, slot, lanes), load(state.g, slot + 1, lanes)
         for i in range(probe.shape[0]):
             displacement = load(x, row + i, lanes)
@@ -98,25 +123,25 @@ def solve_joints(c: Joints, state: JointState, step: int, x: Array, lanes: Lanes
         store(state.x, slot, fma(inverse[0, 0], h0, scale(inverse[0, 1], h1)))
         store(state.x, slot + 1, fma(inverse[1, 0], h0, scale(inverse[1, 1], h1)))
     if c.sweeps:
-        _settle_neighbours(c, state.x, state.x.copy(), phase, first, lanes)
+        _settle_neighbours(c, state.inverse, state.x, state.x.copy(), phase, first, lanes)
 
 
 @compiled
-def _settle_neighbours(c: Joints, x: Array, alone: Array, phase: int, first: int, lanes: Lanes) -> None:
+def _settle_neighbours(c: Joints, inverse: Array, x: Array, alone: Array, phase: int, first: int, lanes: Lanes) -> None:
     """Gauss-Seidel over the weak coupling of joints of short slabs."""
     n, reach = c.joints, c.coupling.shape[1] // 2
     for _ in range(c.sweeps):
         for joint in range(first, first + n):
-            slot = 2 * (joint % n)
-            j0, j1 = load(alone, slot, lanes), load(alone, slot + 1, lanes)
+            slot, own = 2 * (joint % n), inverse[joint % n]
+            h0 = h1 = zero(lanes)
             for other in range(max(first, joint - reach), min(first + n, joint + reach + 1)):
                 if other != joint:
                     k = c.coupling[phase, other - joint + reach]
                     o0, o1 = load(x, 2 * (other % n), lanes), load(x, 2 * (other % n) + 1, lanes)
-                    j0 = fma(k[0, 0], o0, fma(k[0, 1], o1, j0))
-                    j1 = fma(k[1, 0], o0, fma(k[1, 1], o1, j1))
-            store(x, slot, j0)
-            store(x, slot + 1, j1)
+                    h0 = fma(k[0, 0], o0, fma(k[0, 1], o1, h0))
+                    h1 = fma(k[1, 0], o0, fma(k[1, 1], o1, h1))
+            store(x, slot, fma(own[0, 0], h0, fma(own[0, 1], h1, load(alone, slot, lanes))))
+            store(x, slot + 1, fma(own[1, 0], h0, fma(own[1, 1], h1, load(alone, slot + 1, lanes))))
 
 
 @compiled
@@ -136,11 +161,11 @@ def respond_to_wheels(
     """
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
     wheels, length = windows.shape
-    probe, inverse = c.probe[phase], c.inverse[phase]
-    response = state.response
+    probe, response = c.probe[phase], state.response
     response[:] = 0.0
     for joint in range(first, first + n):
         slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        inverse = state.inverse[joint % n]
         for wheel in range(wheels):
             begin = row - window_start[wheel]
             h0 = h1 = 0.0
@@ -150,7 +175,7 @@ def respond_to_wheels(
             response[slot, wheel] = inverse[0, 0] * h0 + inverse[0, 1] * h1
             response[slot + 1, wheel] = inverse[1, 0] * h0 + inverse[1, 1] * h1
     if c.sweeps:
-        _settle_neighbours(c, response, response.copy(), phase, first, (0.0, 0.0, 0.0, 0.0))
+        _settle_neighbours(c, state.inverse, response, response.copy(), phase, first, (0.0, 0.0, 0.0, 0.0))
     for i in range(wheels):
         for j in range(wheels):
             for unknown in range(2 * n):
