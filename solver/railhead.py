@@ -183,7 +183,9 @@ def irregularity_to_dict(irregularity: Irregularity) -> dict[str, Any]:
 def _plain(value: Any) -> Any:
     if is_dataclass(value):
         return {"kind": _KIND_OF[type(value)]} | {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
-    return [_plain(each) for each in value] if isinstance(value, tuple) else value
+    if isinstance(value, tuple):
+        return [_plain(each) for each in value] if value and is_dataclass(value[0]) else list(value)
+    return value
 
 
 def irregularity_from_dict(data: dict[str, Any]) -> Irregularity:

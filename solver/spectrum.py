@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, get_args
 
-from solver.quantity import InvalidParameterError, floats
+from solver.quantity import Checked, InvalidParameterError, floats, quantity
 
 Per = Literal["1/m", "rad/m"]
 Sides = Literal[1, 2]
@@ -23,7 +23,7 @@ def _check_increasing(name: str, frequencies: tuple[float, ...]) -> None:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Spectrum:
+class Spectrum(Checked):
     """What every spectrum states of itself.
 
     Attributes
@@ -38,12 +38,15 @@ class Spectrum:
         Lowest and highest speed, km/h, for which it was drawn up.
     """
 
+    _path = _PATH
+
     per: Per
     sides: Sides
     wavelength_range: tuple[float, float] | None = None
     speed_range_kmh: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         for name, choices in (("per", get_args(Per)), ("sides", get_args(Sides))):
             if (value := getattr(self, name)) not in choices or isinstance(value, bool | float):
                 raise InvalidParameterError(_PATH + name, f"must be {' or '.join(map(str, choices))}, is {value!r}")
@@ -82,27 +85,14 @@ class PowerLaw(Spectrum):
 
 @dataclass(frozen=True, kw_only=True)
 class Rational(Spectrum):
-    """``S = A c^2 / ((Omega^2 + r^2) (Omega^2 + c^2))``.
+    """``S = A c^2 / ((Omega^2 + r^2) (Omega^2 + c^2))``, c and r in its own unit of frequency."""
 
-    Attributes
-    ----------
-    roughness : float
-        A, m^2 times the unit of frequency.
-    cutoff : float
-        c, in the unit of frequency.
-    lower_cutoff : float
-        r, in the unit of frequency, below c; may be 0.
-    """
-
-    roughness: float
-    cutoff: float
-    lower_cutoff: float = 0.0
+    roughness: float = quantity("", "A, m^2 times the unit of frequency", ge=0, le=1)
+    cutoff: float = quantity("", "c, cut-off frequency", gt=0, le=1e3)
+    lower_cutoff: float = quantity("", "r, lower cut-off frequency, below c", ge=0, lt=1e3, default=0.0)
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        for name in ("roughness", "cutoff", "lower_cutoff"):
-            (value,) = floats(_PATH + name, (getattr(self, name),), 0, _LARGEST, 1, 1)
-            object.__setattr__(self, name, value)
         if self.lower_cutoff >= self.cutoff:
             raise InvalidParameterError(
                 _PATH + "lower_cutoff", f"must be less than cutoff = {self.cutoff:g}, is {self.lower_cutoff:g}"

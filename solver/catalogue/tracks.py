@@ -19,7 +19,7 @@ PAD = Source(
 MORTAR = Source("in common use for CRTS II; also printed: 1.5e9 N/m^2 per rail", "C")
 ROADBED = Source("in common use for CRTS II; whether it is meant per metre or per pad spacing is disputed", "C")
 OURS = Source("assumed: no published value was found", "A")
-SOFT = Source("assumed: half of crts2, with which the rail sinks 1.28 mm under a standing car", "A")
+SOFT = Source("assumed: half of crts2; the rail sinks 1.29 mm under a standing crh3", "A")
 
 _SOURCES = {
     "rail_elastic_modulus": RAIL,

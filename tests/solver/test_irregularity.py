@@ -5,11 +5,11 @@ from hypothesis import strategies as st
 
 from solver.case import Harmonic, Smooth, Spectral
 from solver.catalogue import SPECTRA
-from solver.density import density as spectral_density
 from solver.density import variance_between
 from solver.irregularity import components, percentile_factor, sample
+from solver.spectrum import PowerLaw
 
-SPECTRUM = SPECTRA["tb3352-ballastless"].values
+OWN = PowerLaw(per="rad/m", sides=2, coefficients=(1e-7,), exponents=(2.5,))
 
 bands = st.tuples(st.floats(0.5, 150), st.floats(1.05, 20)).map(lambda b: (b[0], min(200.0, b[0] * b[1])))
 
@@ -18,42 +18,28 @@ def realisation(**parts):
     return Spectral(**{"wavelength_min": 2.0, "wavelength_max": 30.0} | parts)
 
 
-@pytest.mark.parametrize(("shortest", "longest", "rms_mm"), [(2, 200, 1.2203026), (2, 30, 0.3123), (4, 30, 0.3059)])
-def test_rms_of_the_mean_spectrum(shortest, longest, rms_mm):
-    rms = np.sqrt(variance_between(SPECTRUM, np.array([1 / longest, 1 / shortest])).sum()) * 1e3
-    assert rms == pytest.approx(rms_mm, rel=1e-6 if longest == 200 else 2e-4)
-
-
-def test_density_at_two_wavelengths():
-    density = spectral_density(SPECTRUM, np.array([1 / 2, 1 / 10])) * 1e6
-    np.testing.assert_allclose(density, [4.32016e-3, 0.457735], rtol=1.1e-6)
-
-
-def test_variance_is_the_integral_of_the_density():
-    edges = np.array([1 / 200, 0.0187, 0.03, 0.1, 0.4])
-    fine = np.linspace(edges[0], edges[-1], 2_000_001)
-    density = spectral_density(SPECTRUM, fine)
-    for low, high, exact in zip(edges[:-1], edges[1:], variance_between(SPECTRUM, edges), strict=True):
-        inside = (fine >= low) & (fine <= high)
-        assert np.trapezoid(density[inside], fine[inside]) == pytest.approx(exact, rel=2e-3)
-
-
 def test_percentiles():
     assert percentile_factor(25) == pytest.approx(0.2877, abs=5e-5)
     assert percentile_factor(63.2) == pytest.approx(1.000, abs=5e-4)
     assert percentile_factor(90) == pytest.approx(2.303, abs=5e-4)
 
 
-@given(bands, st.integers(0, 2**62), st.floats(1, 99))
+@given(st.sampled_from([*SPECTRA, OWN]), bands, st.integers(0, 2**62), st.floats(1, 99))
 @settings(max_examples=30)
-def test_a_realisation_has_the_variance_of_its_band_at_its_percentile(band, seed, percentile):
+def test_a_realisation_has_the_variance_of_its_band_at_its_percentile(spectrum, band, seed, percentile):
     frequency, amplitude, _ = components(
-        realisation(wavelength_min=band[0], wavelength_max=band[1], seed=seed, percentile=percentile)
+        realisation(spectrum=spectrum, wavelength_min=band[0], wavelength_max=band[1], seed=seed, percentile=percentile)
     )
-    exact = variance_between(SPECTRUM, np.array([1 / band[1], 1 / band[0]])).sum()
+    values = spectrum if spectrum is OWN else SPECTRA[spectrum].values
+    exact = variance_between(values, np.array([1 / band[1], 1 / band[0]])).sum()
     assert np.sum(amplitude**2) / 2 == pytest.approx(exact * percentile_factor(percentile), rel=1e-9)
     assert 1 / band[1] <= frequency.min()
     assert frequency.max() <= 1 / band[0]
+
+
+def test_an_own_spectrum_equal_to_a_named_one_is_the_same_track():
+    named, own = realisation(spectrum="german-low"), realisation(spectrum=SPECTRA["german-low"].values)
+    np.testing.assert_array_equal(sample(named, 0.0, 0.1, 500), sample(own, 0.0, 0.1, 500))
 
 
 def test_a_long_realisation_has_the_rms_of_the_spectrum():
