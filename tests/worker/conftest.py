@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 import migrations
+from app.cases.schemas import CaseFile
 from app.context import Context
 from app.db.session import Database
 from app.queue import Doorbell
@@ -17,6 +18,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail, StudyRequest
+from solver.simulate import solve
 
 # The smallest case there is; it takes about a tenth of a second.
 QUICK = {
@@ -78,6 +80,9 @@ def sqlite_settings(tmp_path: Path, sqlite_url: str, broker_url: str) -> Setting
 
 @pytest.fixture
 def processes(sqlite_settings: Settings) -> Iterator[Processes]:
+    irregularity = {"kind": "harmonic", "wavelength_m": 2.0, "amplitude_mm": 0.1}
+    case = CaseFile.model_validate({"speed_kmh": 300, "irregularity": irregularity, "numerics": QUICK})
+    solve([case.to_case()])  # compiles the kernels here, once, rather than in every worker at the same time
     processes = Processes(sqlite_settings)
     yield processes
     for process in processes.running:
