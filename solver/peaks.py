@@ -1,17 +1,18 @@
-"""Peaks and statistics of a response."""
+"""Peaks, statistics and indices of a response."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from solver import indices
 from solver.arrays import Array
 from solver.channels import Channel
 from solver.simulate import Response
 from solver.vehicle import static_wheel_load
 
 # Quantities whose peak is their maximum; of the others it is the largest magnitude.
-_ONE_SIDED = frozenset({"wheel_rail_force", "wheel_unloading", "contact_loss"})
+_ONE_SIDED = frozenset({"wheel_rail_force", "wheel_rail_force_20hz", "wheel_unloading", "contact_loss", "pad_force"})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,7 +23,7 @@ class Peak:
     ----------
     quantity, position, unit : str
     peak : float
-        Largest magnitude; for wheel-rail force, unloading and contact loss the maximum.
+        Largest magnitude; for wheel-rail and pad forces, unloading and contact loss the maximum.
     maximum, minimum, mean, std, rms : float
         Over the window. The mean of ``contact_loss`` is the share of time without contact.
     time : float
@@ -46,33 +47,64 @@ class Peak:
 
 def peaks(response: Response) -> list[Peak]:
     """All peaks of a response, in a fixed order."""
-    return [_peak(response, channel, values) for channel, values in _histories(response)]
+    found = [_peak(response, channel, values) for channel, values in _histories(response)]
+    return found + [_of_values(response, channel, values) for channel, values in _indices(response)]
 
 
 def _histories(response: Response) -> Iterator[tuple[Channel, Array]]:
-    """The recorded channels and those derived from them."""
+    """The recorded channels and the histories derived from them."""
+    load, step = static_wheel_load(response.case.vehicle), response.time_step
     recorded = list(zip(response.channels, response.values, strict=True))
     yield from recorded
-    load = static_wheel_load(response.case.vehicle)
-    for channel, force in recorded:
+    for channel, values in recorded:
         if channel.quantity == "wheel_rail_force":
-            yield Channel(quantity="wheel_unloading", position=channel.position, unit="1"), (load - force) / load
-            yield Channel(quantity="contact_loss", position=channel.position, unit="1"), (force <= 0).astype(float)
+            yield replace(channel, quantity="wheel_rail_force_20hz"), indices.low_pass(values, step)
+            yield replace(channel, quantity="wheel_unloading", unit="1"), (load - values) / load
+            yield replace(channel, quantity="contact_loss", unit="1"), (values <= 0).astype(float)
+        elif channel.quantity == "car_body_acceleration":
+            yield replace(channel, quantity="car_body_acceleration_comfort"), indices.comfort_band(values, step)
+
+
+def _indices(response: Response) -> Iterator[tuple[Channel, Array]]:
+    """Values that sum up a history."""
+    step = response.time_step
+    for channel, values in zip(response.channels, response.values, strict=True):
+        if channel.quantity == "wheel_rail_force":
+            yield replace(channel, quantity="wheel_rail_force_quantile"), _quantile(values)
+            filtered = indices.low_pass(values, step)
+            yield replace(channel, quantity="wheel_rail_force_20hz_quantile"), _quantile(filtered)
+            losses = indices.contact_losses(values, step)
+            events = np.array([float(np.count_nonzero(losses))])
+            yield replace(channel, quantity="contact_loss_events", unit="1"), events
+            yield replace(channel, quantity="contact_loss_duration", unit="s"), losses
+        elif channel.quantity == "car_body_acceleration":
+            yield replace(channel, quantity="sperling_index", unit="1"), indices.sperling(values, step)
+
+
+def _quantile(values: Array) -> Array:
+    return np.quantile(values, [indices.QUANTILE])
 
 
 def _peak(response: Response, channel: Channel, values: Array) -> Peak:
     size = values if channel.quantity in _ONE_SIDED else np.abs(values)
     at = int(np.argmax(size))
+    summary = _of_values(response, channel, values)
+    time, position = float(response.time[at]), float(response.track_position[at])
+    return replace(summary, peak=float(size[at]), time=time, track_position=position)
+
+
+def _of_values(response: Response, channel: Channel, values: Array) -> Peak:
+    """Statistics of values that belong to the window as a whole, which is where they are said to be."""
     return Peak(
         quantity=channel.quantity,
         position=channel.position,
         unit=channel.unit,
-        peak=float(size[at]),
+        peak=float(values.max()),
         maximum=float(values.max()),
         minimum=float(values.min()),
         mean=float(values.mean()),
         std=float(values.std()),
         rms=float(np.sqrt(np.mean(values**2))),
-        time=float(response.time[at]),
-        track_position=float(response.track_position[at]),
+        time=float(response.time[0]),
+        track_position=float(response.track_position[0]),
     )

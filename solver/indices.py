@@ -1,0 +1,72 @@
+"""Filters and indices of the standards, zero phase, with the edges of a record continued oddly.
+
+References
+----------
+EN 14363: 20 Hz low-pass of wheel-rail forces, their 99.85 % quantile, 0.4-10 Hz band of car-body accelerations.
+GB/T 5599: wheel unloading, Sperling's index.
+"""
+
+import numpy as np
+from scipy.signal import butter, sosfiltfilt
+
+from solver.arrays import Array
+
+FILTER_ORDER = 4  # of the filter that runs forwards and backwards
+FORCE_CUTOFF_HZ = 20.0
+COMFORT_BAND_HZ = (0.4, 10.0)
+QUANTILE = 0.9985
+SPERLING_WINDOW_S = 5.0
+
+
+def low_pass(values: Array, step: float) -> Array:
+    """A history without what is faster than 20 Hz; ``step`` in s."""
+    sections = butter(FILTER_ORDER, FORCE_CUTOFF_HZ, "lowpass", fs=1 / step, output="sos")
+    return _filtered(values, step, sections, FORCE_CUTOFF_HZ)
+
+
+def comfort_band(values: Array, step: float) -> Array:
+    """A history between 0.4 and 10 Hz."""
+    sections = butter(FILTER_ORDER, COMFORT_BAND_HZ, "bandpass", fs=1 / step, output="sos")
+    return _filtered(values, step, sections, COMFORT_BAND_HZ[0])
+
+
+def _filtered(values: Array, step: float, sections: Array, slowest: float) -> Array:
+    margin = min(len(values) - 1, round(1 / (slowest * step)))  # a period of the slowest edge
+    return sosfiltfilt(sections, values, padlen=margin)
+
+
+def _sperling_weight(frequency: Array) -> Array:
+    low, high = frequency < 5.9, frequency >= 20
+    return np.where(low, 0.325 * frequency**2, np.where(high, 1.0, 400 / frequency**2))
+
+
+def sperling(acceleration: Array, step: float) -> Array:
+    """Sperling's vertical ride index of successive 5 s windows; one value for a shorter record.
+
+    Parameters
+    ----------
+    acceleration : ndarray, shape (n,)
+        Of the car body, m/s^2.
+    step : float
+        s.
+
+    Returns
+    -------
+    ndarray, shape (windows,)
+    """
+    length = min(len(acceleration), round(SPERLING_WINDOW_S / step))
+    windows = acceleration[: len(acceleration) // length * length].reshape(-1, length)
+    amplitude = 2 / length * np.abs(np.fft.rfft(windows, axis=1))
+    frequency = np.fft.rfftfreq(length, step)
+    counted = (frequency >= 0.5) & (frequency <= 80)
+    f = frequency[counted]
+    tenth_powers = 3.57**10 * amplitude[:, counted] ** 3 / f * _sperling_weight(f)
+    return np.sum(tenth_powers, axis=1) ** 0.1
+
+
+def contact_losses(force: Array, step: float) -> Array:
+    """Durations of the intervals without contact, s; at least one value, zero where contact is never lost."""
+    lost = np.r_[False, force <= 0, False]
+    edges = np.flatnonzero(lost[1:] != lost[:-1])
+    durations = (edges[1::2] - edges[::2]) * step
+    return durations if len(durations) else np.zeros(1)
