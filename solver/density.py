@@ -66,8 +66,8 @@ def _pieces(spectrum: PowerLaw | Table) -> tuple[Array, Array, Array]:
 
 def _power_integral(spectrum: PowerLaw | Table, x: Array) -> Array:
     coefficients, exponents, breaks = _pieces(spectrum)
-    corners = np.union1d(x, breaks[(x[0] < breaks) & (breaks < x[-1])])
-    low, width = corners[:-1], np.diff(np.log(corners))
+    corners = np.sort(np.concatenate([x, breaks[(x[0] < breaks) & (breaks < x[-1])]]))
+    low, width = corners[:-1], np.log1p(np.diff(corners) / corners[:-1])
     piece = np.searchsorted(breaks, low * np.exp(width / 2))
     slope = 1 - exponents[piece]
     # (high^s - low^s) / s, also for s = 0 and where high is close to low

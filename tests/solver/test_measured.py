@@ -41,7 +41,7 @@ def test_a_sine_outside_the_band_vanishes(wavelength):
 
 
 def test_shorter_waves_are_not_mistaken_for_longer_ones():
-    ripple = profile(0.0503, spacing=0.005)  # would look 8 m long on a grid 0.05 m wide
+    ripple = profile(1 / 16.2, spacing=0.005)  # would look 5 m long on a grid of 16 points per metre
     assert np.abs(over_the_profile(ripple)[INNER]).max() < 1e-6
 
 
