@@ -33,12 +33,13 @@ def test_upgrading_twice_at_once(empty_url: str) -> None:
     assert tables(empty_url) == {*Base.metadata.tables, "alembic_version"}
 
 
-def test_downgrade_and_upgrade_again(database_url: str) -> None:
-    with migrations.transaction(database_url) as connection:
+def test_downgrade_and_upgrade_again(empty_url: str) -> None:
+    migrations.upgrade(empty_url)
+    with migrations.transaction(empty_url) as connection:
         command.downgrade(migrations.config_for(connection), "base")
-    assert tables(database_url) == {"alembic_version"}
-    migrations.upgrade(database_url)
-    assert tables(database_url) == {*Base.metadata.tables, "alembic_version"}
+    assert tables(empty_url) == {"alembic_version"}
+    migrations.upgrade(empty_url)
+    assert tables(empty_url) == {*Base.metadata.tables, "alembic_version"}
 
 
 def test_a_failed_upgrade_leaves_nothing(empty_url: str) -> None:

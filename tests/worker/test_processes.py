@@ -17,13 +17,13 @@ from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail
 
-FOUR_SECONDS = {
+SECONDS_LONG = {
     "track_length_m": 90.0,
     "absorbing_length_m": 10.0,
     "elements_per_pad": 2,
     "time_step_s": 1e-4,
     "settle_s": 0.3,
-    "window_s": 10.0,
+    "window_s": 6.0,
 }
 
 T = TypeVar("T")
@@ -60,11 +60,11 @@ def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail
 
     # A bell wakes the first worker, which wakes the second.
     workers = {process.pid: process for process in (processes.start(), processes.start())}
-    study = submit(*range(200, 210))
+    study = submit(200, 210, 220, 230)
     until(lambda: state(study) == "succeeded")
 
     # A worker is killed: when its lease has run out another one takes the case.
-    slow = submit(300, numerics=FOUR_SECONDS)
+    slow = submit(300, numerics=SECONDS_LONG)
     case = until(running)
     assert case is not None
     assert case.worker is not None
