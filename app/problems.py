@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from http import HTTPStatus
-from typing import Any
 from urllib.parse import quote
 
 import structlog
@@ -12,6 +11,8 @@ from pydantic import BaseModel, Field
 from sqlalchemy import exc as database_errors
 from starlette.exceptions import HTTPException
 from starlette.routing import Match
+
+from app.pointer import pointer_to
 
 MEDIA_TYPE = "application/problem+json"
 METHODS = ("DELETE", "GET", "HEAD", "OPTIONS", "PATCH", "POST", "PUT")
@@ -78,26 +79,6 @@ def invalid(pointer: str, code: str, detail: str) -> Problem:
 def not_found(what: str) -> Problem:
     """A 404."""
     return Problem(404, f"There is no such {what}.")
-
-
-def pointer_to(loc: Sequence[str | int], body: Any) -> str:
-    """JSON Pointer of a validation error. The names Pydantic gives to branches of unions are not part of the body."""
-    if loc[0] != "body":
-        return "/" + "/".join(map(str, loc))
-    path: list[str] = []
-    node, tagged = body, False
-    for part in loc[1:]:
-        if isinstance(node, dict):
-            if part == node.get("kind") and not tagged:
-                tagged = True
-                continue
-            if part in node or part == loc[-1]:
-                path.append(str(part))
-                node, tagged = node.get(part), False
-        elif isinstance(node, list) and isinstance(part, int) and part < len(node):
-            path.append(str(part))
-            node, tagged = node[part], False
-    return "".join("/" + part.replace("~", "~0").replace("/", "~1") for part in path)
 
 
 def install(app: FastAPI) -> None:

@@ -8,18 +8,21 @@ from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 from pydantic_core import PydanticCustomError
 
 from app.boundary import Strict
-from app.cases.schemas import (
+from app.cases.irregularities import (
     M_PER_MM,
     AmplitudeMm,
     Band,
     Percentile,
     Seed,
-    SpectrumName,
-    Speed,
+    SingleDip,
+    SmoothRail,
+    SpectrumChoice,
+    SumOf,
     Wavelength,
-    make_case,
+    chosen_spectrum,
 )
-from solver.case import Case, Harmonic, Irregularity, Slab, Smooth, Spectral
+from app.cases.schemas import Speed, make_case
+from solver.case import Case, Harmonic, Irregularity, Slab, Spectral
 from solver.catalogue import SPECTRA
 
 T = TypeVar("T")
@@ -60,20 +63,6 @@ class SpeedRange(Strict):
         return [min(round(self.start + n * self.step, 9), self.stop) for n in range(self.count())]
 
 
-class SmoothSweep(Strict):
-    """A perfectly even rail head."""
-
-    kind: Literal["none"]
-
-    def count(self) -> int:
-        """How many there are."""
-        return 1
-
-    def expand(self) -> Iterator[Irregularity]:
-        """Every irregularity."""
-        yield Smooth()
-
-
 class HarmonicSweep(Strict):
     """Sine waves: every wavelength with every amplitude."""
 
@@ -96,7 +85,7 @@ class SpectrumSweep(Strict):
     """Realisations of a spectrum: every percentile with every band, each with the same random phases."""
 
     kind: Literal["spectrum"]
-    spectrum: SpectrumName = next(iter(SPECTRA))
+    spectrum: SpectrumChoice = next(iter(SPECTRA))
     percentile: Several[Percentile] = [63.2]  # noqa: RUF012 - Pydantic copies it
     wavelength_band_m: Several[Band]
     realisations: Annotated[int, Field(ge=1, le=2**31, description="Number of realisations of each.")] = 1
@@ -108,11 +97,12 @@ class SpectrumSweep(Strict):
 
     def expand(self) -> Iterator[Irregularity]:
         """Every irregularity."""
+        spectrum = chosen_spectrum(self.spectrum)
         for percentile in self.percentile:
             for band in self.wavelength_band_m:
                 for realisation in range(self.realisations):
                     yield Spectral(
-                        spectrum=self.spectrum,
+                        spectrum=spectrum,
                         percentile=percentile,
                         wavelength_min=band.min,
                         wavelength_max=band.max,
@@ -133,7 +123,7 @@ class ProductSweep(Strict):
         Annotated[Several[Speed], Tag("list")] | Annotated[SpeedRange, Tag("range")], Discriminator(_list_or_range)
     ]
     slab: Several[Slab] = ["continuous"]  # noqa: RUF012 - Pydantic copies it
-    irregularity: Annotated[SmoothSweep | HarmonicSweep | SpectrumSweep, Field(discriminator="kind")]
+    irregularity: Annotated[SmoothRail | HarmonicSweep | SpectrumSweep | SingleDip | SumOf, Field(discriminator="kind")]
 
     def count(self) -> int:
         """How many there are."""

@@ -12,6 +12,8 @@ Check = Callable[..., dict[str, Any]]
 NESTED = "[" * 100_000 + "]" * 100_000
 
 # What is put where in a valid study (None in the middle of a path starts a new one), and the pointer that must come.
+WAVE = {"kind": "harmonic", "wavelength_m": 1.0, "amplitude_mm": 0.1}
+SPECTRUM = {"kind": "power-law", "per": "1/m", "coefficients": [1e-8], "exponents": [2, 3]}
 SPOILT: dict[str, tuple[tuple[str, ...], Any, str]] = {
     "unknown field": (("colour",), "red", "/colour"),
     "unknown field within": (("track",), {"pad_stifness_n_per_m": 6e7}, "/track/pad_stifness_n_per_m"),
@@ -58,6 +60,36 @@ SPOILT: dict[str, tuple[tuple[str, ...], Any, str]] = {
         ("sweep", "irregularity"),
         {"kind": "spectrum", "spectrum": "white", "wavelength_band_m": [{"min": 2, "max": 30}]},
         "/sweep/irregularity/spectrum",
+    ),
+    "own spectrum without convention": (
+        ("sweep", "irregularity"),
+        {"kind": "spectrum", "spectrum": SPECTRUM, "wavelength_band_m": [{"min": 2, "max": 30}]},
+        "/sweep/irregularity/spectrum/sides",
+    ),
+    "own spectrum of unequal parts": (
+        ("sweep", "irregularity"),
+        {"kind": "spectrum", "spectrum": SPECTRUM | {"sides": 1}, "wavelength_band_m": [{"min": 2, "max": 30}]},
+        "/sweep/irregularity/spectrum/exponents",
+    ),
+    "own spectrum of no kind": (
+        ("sweep", "irregularity"),
+        {"kind": "spectrum", "spectrum": {}, "wavelength_band_m": [{"min": 2, "max": 30}]},
+        "/sweep/irregularity/spectrum",
+    ),
+    "dip deeper than deep": (
+        ("sweep", "irregularity"),
+        {"kind": "sum", "terms": [WAVE, {"kind": "dip", "position_m": 1, "length_m": 1, "depth_mm": 21}]},
+        "/sweep/irregularity/terms/1/depth_mm",
+    ),
+    "band upside down in a sum": (
+        ("sweep", "irregularity"),
+        {"kind": "sum", "terms": [WAVE, {"kind": "spectrum", "wavelength_band_m": {"min": 30, "max": 2}}]},
+        "/sweep/irregularity/terms/1/wavelength_band_m",
+    ),
+    "sum of a sum": (
+        ("sweep", "irregularity"),
+        {"kind": "sum", "terms": [{"kind": "sum", "terms": [WAVE]}]},
+        "/sweep/irregularity/terms/0",
     ),
     "band upside down": (
         ("sweep", "irregularity"),

@@ -1,6 +1,7 @@
 """Pure functions of the boundary: counting, expansion, conversion, cursors, pointers."""
 
 import dataclasses
+import json
 import math
 from typing import Any
 
@@ -19,7 +20,8 @@ from app.cases.schemas import (
     conditions,
 )
 from app.pagination import decode_cursor, encode_cursor
-from app.problems import Problem, pointer_to
+from app.pointer import pointer_to
+from app.problems import Problem
 from app.studies.schemas import pointer_to_parameter
 from app.studies.sweep import ProductSweep, SpeedRange
 from solver.case import Case, Numerics, Track, Vehicle
@@ -44,6 +46,7 @@ SPEEDS = listed(decimals(10, 600)) | st.builds(
     decimals(0.1, 10, 1),
 )
 BANDS = st.builds(lambda low, width: {"min": low, "max": low + width}, decimals(0.1, 50), decimals(1, 100))
+OWN = {"kind": "power-law", "per": "1/m", "sides": 1, "coefficients": [1e-8], "exponents": [2], "breaks": []}
 IRREGULARITIES = st.one_of(
     st.just({"kind": "none"}),
     st.fixed_dictionaries(
@@ -53,9 +56,12 @@ IRREGULARITIES = st.one_of(
             "amplitude_mm": listed(decimals(0, 20)),
         }
     ),
+    st.just({"kind": "dip", "position_m": 20, "length_m": 1.0, "depth_mm": 0.3}),
+    st.just({"kind": "sum", "terms": [{"kind": "harmonic", "wavelength_m": 1.0, "amplitude_mm": 0.1}]}),
     st.fixed_dictionaries(
         {
             "kind": st.just("spectrum"),
+            "spectrum": st.sampled_from(["fra-6", OWN]),
             "percentile": listed(decimals(0.1, 99.9)),
             "wavelength_band_m": st.lists(BANDS, min_size=1, max_size=3, unique_by=lambda band: tuple(band.values())),
             "realisations": st.integers(1, 5),
@@ -119,6 +125,46 @@ def test_a_spectrum_case_is_shown_as_it_was_written() -> None:
     assert case.track.pad_stiffness == 4e7
     assert case_file(case.to_dict())["irregularity"] == irregularity
     assert CaseFile.model_validate(case_file(case.to_dict())).to_case().digest() == case.digest()
+
+
+BAND = {"min": 2.0, "max": 12.0}
+SAMPLE = {"kind": "spectrum", "percentile": 63.2, "wavelength_band_m": BAND, "seed": 1, "realisation": 0}
+TABLE = {"kind": "table", "per": "rad/m", "sides": 2, "frequencies": [0.1, 5.0], "densities": [1e-6, 1e-9]}
+RATIONAL = {"kind": "rational", "per": "rad/m", "sides": 1, "roughness": 4e-7, "cutoff": 0.8, "lower_cutoff": 0.02}
+DIP = {"kind": "dip", "position_m": 20.0, "length_m": 1.5, "depth_mm": -0.3}
+PROFILE = {
+    "kind": "measured",
+    "positions_m": [0.5 * n for n in range(40)],
+    "heights_m": [1e-3 * (n % 7) for n in range(40)],
+    "wavelength_band_m": BAND,
+}
+SHOWN = [
+    {"kind": "none"},
+    DIP,
+    PROFILE,
+    *(SAMPLE | {"spectrum": spectrum} for spectrum in ("german-high", OWN, TABLE, RATIONAL)),
+    {"kind": "sum", "terms": [DIP, PROFILE, SAMPLE | {"spectrum": TABLE}]},
+]
+
+
+@pytest.mark.parametrize("irregularity", SHOWN, ids=lambda each: each["kind"])
+def test_every_irregularity_is_shown_as_it_was_written(irregularity: dict[str, Any]) -> None:
+    given = json.dumps({"speed_kmh": 300, "irregularity": irregularity})
+    case = CaseFile.model_validate_json(given).to_case()
+    stored = json.loads(json.dumps(case.to_dict()))
+    assert case_file(stored)["irregularity"] == irregularity
+    assert CaseFile.model_validate_json(json.dumps(case_file(stored))).to_case().digest() == case.digest()
+
+
+def test_an_own_spectrum_is_filtered_by_its_kind() -> None:
+    case = CaseFile.model_validate({"speed_kmh": 300, "irregularity": SAMPLE | {"spectrum": TABLE}}).to_case()
+    assert conditions(case.to_dict())["spectrum"] == "table"
+
+
+@pytest.mark.parametrize("irregularity", [PROFILE, {"kind": "sum", "terms": [DIP, PROFILE]}])
+def test_measured_profiles_are_not_taken_over_http(irregularity: dict[str, Any]) -> None:
+    with pytest.raises(ValidationError, match="does not match any of the expected tags"):
+        ProductSweep.model_validate({"kind": "product", "speed_kmh": [300], "irregularity": irregularity})
 
 
 def test_a_case_digests_alike_however_it_is_written() -> None:

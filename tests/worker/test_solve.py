@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from solver.case import Measured, Sum
 from solver.simulate import DivergedError
 from worker import solve
 from worker.casefile import read_case
@@ -13,6 +14,10 @@ from worker.casefile import read_case
 WAVE = {"kind": "harmonic", "wavelength_m": 1.0, "amplitude_mm": 0.3}
 CASE = {"speed_kmh": 300, "irregularity": WAVE}
 BAND = {"min": 30, "max": 2}
+
+
+RANDOM = {"kind": "spectrum", "wavelength_band_m": {"min": 2, "max": 30}}
+PROFILE = {"kind": "measured", "wavelength_band_m": {"min": 2, "max": 10}}
 
 
 def written(folder: Path, content: Any) -> Path:
@@ -28,6 +33,17 @@ def written(folder: Path, content: Any) -> Path:
         (CASE | {"numerics": {"track_length_m": 10}}, "numerics.track_length_m: Input should be greater than or"),
         (CASE | {"irregularity": WAVE | {"wavelength_m": "1"}}, "irregularity.wavelength_m: Input should be a valid"),
         (CASE | {"irregularity": {"kind": "spectrum", "wavelength_band_m": BAND}}, "irregularity.wavelength_band_m: "),
+        (CASE | {"irregularity": RANDOM | {"spectrum": "white"}}, "irregularity.spectrum: Input should be 'tb3352"),
+        (CASE | {"irregularity": {"kind": "measured", "file": 1}}, "irregularity.file: Extra inputs are not permitted"),
+        (CASE | {"irregularity": PROFILE | {"file": "no.csv"}}, "no.csv: No such file"),
+        (
+            CASE | {"irregularity": PROFILE | {"file": "bad.csv"}},
+            "bad.csv is not a profile:\n  line 2: must be two",
+        ),
+        (
+            CASE | {"irregularity": PROFILE | {"file": "gap.csv"}},
+            "irregularity.positions_m.1: must lie beyond 0 m",
+        ),
         (CASE | {"colour": "red"}, "colour: Extra inputs are not permitted"),
         ([], "the file: "),
     ],
@@ -35,10 +51,24 @@ def written(folder: Path, content: Any) -> Path:
 def test_a_wrong_case_is_told_by_field_and_bound(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], content: Any, words: str
 ) -> None:
+    (tmp_path / "bad.csv").write_text("x_m,eta_mm\n1;2;3\n")
+    (tmp_path / "gap.csv").write_text("".join(f"{n * 3},0\n" for n in range(20)))
     with pytest.raises(SystemExit) as ended:
         read_case(written(tmp_path, content))
     assert ended.value.code == 2
     assert words in capsys.readouterr().err
+
+
+def test_profiles_are_read_from_beside_the_case(tmp_path: Path) -> None:
+    (tmp_path / "track").mkdir()
+    (tmp_path / "track/profile.csv").write_text("x_m,eta_mm\n" + "".join(f"{n / 2},{n % 5}\n" for n in range(100)))
+    profile = PROFILE | {"file": "track/profile.csv"}
+    alone = read_case(written(tmp_path, CASE | {"irregularity": profile})).irregularity
+    assert isinstance(alone, Measured)
+    assert (len(alone.positions), alone.positions[-1], max(alone.heights)) == (100, 49.5, pytest.approx(4e-3))
+    both = read_case(written(tmp_path, CASE | {"irregularity": {"kind": "sum", "terms": [WAVE, profile]}})).irregularity
+    assert isinstance(both, Sum)
+    assert both.terms[1] == alone
 
 
 def test_a_file_that_is_missing_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
