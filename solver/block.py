@@ -13,7 +13,7 @@ from solver.integrator import Integrator, integrator
 from solver.irregularity import sample
 from solver.joint import joint_operator, joint_state
 from solver.kernels import stencils
-from solver.march import SIZE, Operator, State, Vehicles, advance_all, march
+from solver.march import SIZE, Operator, State, Vehicles, march
 from solver.periodic import periodic_operator
 from solver.start import static_equilibrium
 from solver.track import NODE, TrackModel
@@ -54,7 +54,6 @@ class Block:
         self.joints = joint_operator(self.model, self.scheme, self.operator.blocks, self.operator.block_of_cell)
         self.state = self._start()
         self.joint_state = joint_state(self.joints.joints, width)
-        advance_all(self.scheme, self.stencils, self.joints, self.state, self.joint_state, 0, self.lanes)
         self.done = 0
 
     @property

@@ -39,6 +39,7 @@ __all__ = [
 ]
 
 CLEARANCE = 6.0  # m of track between the outer wheels and the absorbing ends
+CLOSED_PADS = 20  # pads next to each absorbing end where joints are closed or only begin to open
 MAX_PHASES = 2000  # steps from pad to pad: each has its own factors in memory
 MIN_STEPS = 10  # steps per pad spacing and per shortest wavelength
 
@@ -186,12 +187,13 @@ class Case(Checked):
         return max(1, round(self.numerics.absorbing_length / self.track.pad_spacing))
 
     def _check_domain(self) -> None:
-        overhang = self.vehicle.half_bogie_distance + self.vehicle.half_wheelbase + CLEARANCE
+        clearance = CLEARANCE + (self.slab == "discontinuous") * CLOSED_PADS * self.track.pad_spacing
+        overhang = self.vehicle.half_bogie_distance + self.vehicle.half_wheelbase + clearance
         shortest = 2 * (overhang + self.absorbing_cells * self.track.pad_spacing) + self.track.pad_spacing
         if self.cells * self.track.pad_spacing < shortest:
             raise InvalidParameterError(
                 "numerics.track_length_m",
-                f"must hold the vehicle, {CLEARANCE:g} m on either side and the absorbing ends: at least "
+                f"must hold the vehicle, {clearance:.3g} m on either side and the absorbing ends: at least "
                 f"{shortest + self.track.pad_spacing:.2f} m, is {self.numerics.track_length:g} m",
             )
 

@@ -62,9 +62,9 @@ class Vehicles(NamedTuple):
 class State(NamedTuple):
     """Everything that changes from step to step."""
 
-    x: Array  # (unknowns, lanes) right-hand side of the step to come
-    u: Array  # (unknowns, lanes) predicted displacements
-    v: Array  # (unknowns, lanes) predicted velocities
+    x: Array  # (unknowns, lanes) displacements
+    u: Array  # (unknowns, lanes) displacements as predicted for the end of the step
+    v: Array  # (unknowns, lanes) velocities likewise
     vehicle_u: Array  # (lanes, 10)
     vehicle_v: Array  # (lanes, 10)
     vehicle_a: Array  # (lanes, 10)
@@ -184,7 +184,9 @@ def _solve_track(
     phase = step % op.block_of_cell.shape[0]
     substitute(op.blocks, op.block_of_cell[phase], state.x, lanes)
     _rail_without_forces(op, state, rail)
-    compliance[:] = op.compliance[phase]
+    for i in range(WHEELS):
+        for j in range(WHEELS):  # element by element: an array assignment compiles ten times as long
+            compliance[i, j] = op.compliance[phase, i, j]
     if c.joints > 0:
         solve_joints(c, joints, step, state.x, lanes)
         per_jump = np.empty((2 * c.joints, WHEELS))
@@ -197,16 +199,16 @@ def _solve_track(
 
 
 @compiled
-def advance_all(
+def _advance_all(
     k: Integrator, c: Stencils, joints: Joints, state: State, joint_state: JointState, step: int, lanes: Lanes
 ) -> None:
-    """The state at the end of a step to the right-hand side of the next."""
+    """The state at the end of the step before to the right-hand side of a step."""
     if joints.joints > 0:
-        hand_over(joints, joint_state, step + 1)
-        probe_track(k, joints, joint_state, step + 1, state.x, state.u, state.v, lanes)
-    advance(k, c, (step + 1) % c.pad_element.shape[0], state.x, state.u, state.v, state.x, lanes)
+        hand_over(joints, joint_state, step)
+        probe_track(k, joints, joint_state, step, state.x, state.u, state.v, lanes)
+    advance(k, c, step % c.pad_element.shape[0], state.x, state.u, state.v, state.x, lanes)
     if joints.joints > 0:
-        load_track(k, joints, joint_state, step + 1, state.x, lanes)
+        load_track(k, joints, joint_state, step, state.x, lanes)
 
 
 @compiled
@@ -246,6 +248,7 @@ def march(
     phases = op.block_of_cell.shape[0]
     for s in range(eta.shape[0]):
         step = first + s
+        _advance_all(k, c, joints, state, joint_state, step, lanes)
         _solve_track(op, joints, state, joint_state, step, rail, compliance, lanes)
         for lane in range(eta.shape[2]):
             _couple_vehicle(k, op, vehicles, state, rail, compliance, eta[s, :, lane], lane, accelerations)
@@ -263,4 +266,3 @@ def march(
             _record_track(k, op, state, lane, out[s, lane])
             if joints.joints > 0:
                 _record_joints(k, op, joints, joint_state, step, lane, out[s, lane])
-        advance_all(k, c, joints, state, joint_state, step, lanes)
