@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
 
 import psutil
@@ -33,8 +33,11 @@ def interrupt() -> None:
     os.kill(os.getpid(), signal.SIGINT)
 
 
-def children() -> list[psutil.Process]:
-    return psutil.Process().children(recursive=True)
+@pytest.fixture(autouse=True)
+def nothing_left_behind() -> Iterator[None]:
+    before = set(psutil.Process().children(recursive=True))
+    yield
+    assert set(psutil.Process().children(recursive=True)) <= before
 
 
 def test_a_part_that_ends_is_restarted(tmp_path: Path) -> None:
@@ -50,7 +53,6 @@ steady.touch()
     asyncio.run(supervise([[part("brittle", script, runs, steady, ready=exists(steady))]], tmp_path, interrupt))
     assert runs.read_text().split() == ["run"] * 3
     assert (tmp_path / "brittle.log").read_text() == "no luck\n" * 2
-    assert not children()
 
 
 def test_a_part_that_never_starts_is_reported_with_its_last_words(tmp_path: Path) -> None:
@@ -60,7 +62,6 @@ def test_a_part_that_never_starts_is_reported_with_its_last_words(tmp_path: Path
     ]
     with pytest.raises(PartFailedError, match=r"(?s)broken does not start.*the disk is full"):
         asyncio.run(supervise(stages, tmp_path, interrupt))
-    assert not children()
 
 
 def test_a_part_that_will_not_stop_is_killed_with_what_it_started(
@@ -76,7 +77,6 @@ pathlib.Path(sys.argv[1]).write_text(str(child.pid))
 {FOREVER}
 """
     asyncio.run(supervise([[part("stubborn", script, up, ready=exists(up))]], tmp_path, interrupt))
-    assert not children()
     with contextlib.suppress(psutil.NoSuchProcess):
         assert psutil.Process(int(up.read_text())).status() == psutil.STATUS_ZOMBIE
 
@@ -105,4 +105,3 @@ def test_a_signal_while_parts_come_up_stops_them(tmp_path: Path) -> None:
     started = time.monotonic()
     asyncio.run(supervise([[part("slow", FOREVER, ready=interrupted)]], tmp_path, pytest.fail))
     assert time.monotonic() - started < 10
-    assert not children()
