@@ -1,4 +1,4 @@
-"""Filters and indices of the standards, zero phase, with the edges of a record continued oddly.
+"""Filters and indices of the standards, zero phase, with records mirrored at their edges.
 
 References
 ----------
@@ -32,7 +32,8 @@ def comfort_band(values: Array, step: float) -> Array:
 
 def _filtered(values: Array, step: float, sections: Array, slowest: float) -> Array:
     margin = min(len(values) - 1, round(1 / (slowest * step)))  # a period of the slowest edge
-    return sosfiltfilt(sections, values, padlen=margin)
+    # Mirrored: continued oddly, a record that ends on a crest would drag the mean up to it.
+    return sosfiltfilt(sections, values, padtype="even", padlen=margin)
 
 
 def _sperling_weight(frequency: Array) -> Array:

@@ -27,6 +27,11 @@ def test_a_constant_force_passes_to_the_edges():
     np.testing.assert_allclose(low_pass(np.full(500, 7e4), STEP), 7e4)
 
 
+def test_a_record_that_ends_on_a_crest_keeps_its_mean_at_the_edge():
+    force = 7e4 + 4e4 * np.cos(2 * np.pi * 97.0 * TIME[:3001])
+    np.testing.assert_allclose(low_pass(force, STEP), 7e4, rtol=0.01)
+
+
 @pytest.mark.parametrize("frequency", [1.0, 4.0, 10.0, 30.0])
 def test_sperling_index_of_a_sine(frequency):
     amplitude = 0.3
