@@ -38,7 +38,7 @@ demo: $(INSTALLED)  ## serve, run a small study over HTTP, print and draw its pe
 	@$(RUN) examples.demo
 
 test: lint  ## lint, types and every test that is not slow
-	@$(RUN) pytest -m "not slow"
+	@$(RUN) pytest -m "not slow" -n 2 --dist loadfile
 
 test-slow: $(INSTALLED)  ## the proofs that take long
 	@$(RUN) pytest -m slow
