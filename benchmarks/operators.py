@@ -9,8 +9,9 @@ checked to give the same displacements before it is timed. Rounds are interleave
 import argparse
 import statistics
 import time
+from collections import defaultdict
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import sparse
@@ -18,7 +19,7 @@ from scipy.linalg import solve_banded
 from scipy.sparse.linalg import splu, spsolve
 
 from solver.arrays import Array
-from solver.banded import substitute
+from solver.banded import FACTOR_COLUMNS, substitute
 from solver.block import Block
 from solver.case import Case, Harmonic
 from solver.catalogue import TRACKS, VEHICLES
@@ -26,6 +27,7 @@ from solver.kernels import advance
 from solver.track import NODE
 
 LANES = (1, 4, 8)
+FULL = LANES[-1]
 
 
 def article_case() -> Case:
@@ -117,38 +119,55 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=5)
     options = parser.parse_args()
     case = article_case()
-    blocks = {lanes: Block([case] * lanes) for lanes in LANES}
-    others = contenders(blocks[1])
-    print(f"{NODE * blocks[1].model.cells * case.numerics.elements_per_pad} unknowns, {case.phases} phases")
-    difference = check(blocks[1], others)
+    blocks = {f"ours, {lanes} lane(s)": Block([case] * lanes) for lanes in LANES}
+    one, full = f"ours, {LANES[0]} lane(s)", f"ours, {FULL} lane(s)"
+    blocks[f"{full}, joints"] = Block([replace(case, slab="discontinuous")] * FULL)
+    blocks[f"{one}, joints"] = Block([replace(case, slab="discontinuous")])
+    others = contenders(blocks[one])
+    describe(blocks[one])
+    difference = check(blocks[one], others)
     print(f"largest relative difference between the contenders' displacements: {difference:.1e}")
     if difference > 1e-8:
         raise SystemExit("the contenders disagree: nothing to compare")
     for block in blocks.values():
         block.advance(50)  # compiles
-    p, q = 1e-3 * np.random.default_rng(1).standard_normal((2, NODE * 12 * blocks[1].model.cells))
-    seconds: dict[str, list[float]] = {}
-    for _ in range(options.rounds):
+    medians = measure(blocks, others, options.steps, options.rounds)
+    for name, median in medians.items():
+        print(f"{name:34s} {median * 1e3:9.4f} ms per case and step")
+    naive, superlu, _ = (medians[other.name] for other in others)
+    print(f"ratio_naive_one_case = {naive / medians[one]:.1f}")
+    print(f"ratio_naive_full_lanes = {naive / medians[full]:.1f}")
+    print(f"ratio_superlu_full_lanes = {superlu / medians[full]:.1f}")
+    print(f"ratio_joints_cost = {medians[f'{full}, joints'] / medians[full]:.2f}")
+    print(f"ratio_joints_cost_one_case = {medians[f'{one}, joints'] / medians[one]:.2f}")
+
+
+def describe(block: Block) -> None:
+    """Print the size of the problem, and of its factors beside those of whole matrices."""
+    case = block.case
+    unknowns = NODE * block.model.cells * case.numerics.elements_per_pad
+    print(f"{unknowns} unknowns, {case.phases} phases")
+    whole = unknowns * case.phases * FACTOR_COLUMNS * 8
+    print(f"factors take {block.operator.blocks.nbytes / 1e6:.0f} MB, of whole matrices {whole / 1e6:.0f} MB")
+
+
+def measure(blocks: dict[str, Block], others: list[Contender], steps: int, rounds: int) -> dict[str, float]:
+    """Median seconds per case and step of interleaved rounds."""
+    unknowns = blocks["ours, 1 lane(s)"].state.x.shape[0]
+    p, q = 1e-3 * np.random.default_rng(1).standard_normal((2, unknowns))
+    seconds: dict[str, list[float]] = defaultdict(list)
+    for _ in range(rounds):
         for other in others:
             repeats = 4 if "spsolve" in other.name else 20
             start = time.perf_counter()
             for i in range(repeats):
                 other.step(i % 4, p, q)
-            seconds.setdefault(other.name, []).append((time.perf_counter() - start) / repeats)
-        for lanes, block in blocks.items():
+            seconds[other.name].append((time.perf_counter() - start) / repeats)
+        for name, block in blocks.items():
             start = time.perf_counter()
-            block.advance(options.steps)
-            seconds.setdefault(f"ours, {lanes} lane(s), whole step", []).append(
-                (time.perf_counter() - start) / options.steps / lanes
-            )
-    medians = {name: statistics.median(values) for name, values in seconds.items()}
-    for name, median in medians.items():
-        print(f"{name:34s} {median * 1e3:9.4f} ms per case and step")
-    naive, superlu, _ = (medians[other.name] for other in others)
-    one, full = medians["ours, 1 lane(s), whole step"], medians[f"ours, {LANES[-1]} lane(s), whole step"]
-    print(f"ratio_naive_one_case = {naive / one:.1f}")
-    print(f"ratio_naive_full_lanes = {naive / full:.1f}")
-    print(f"ratio_superlu_full_lanes = {superlu / full:.1f}")
+            block.advance(steps)
+            seconds[name].append((time.perf_counter() - start) / steps / len(block.cases))
+    return {name: statistics.median(values) for name, values in seconds.items()}
 
 
 if __name__ == "__main__":

@@ -64,6 +64,15 @@ def test_a_part_that_never_starts_is_reported_with_its_last_words(tmp_path: Path
         asyncio.run(supervise(stages, tmp_path, interrupt))
 
 
+def wait_for_end(pid: int) -> None:
+    """Return once a process that was killed is gone, or only waits to be buried; it may take a moment to die."""
+    deadline = time.monotonic() + 10
+    with contextlib.suppress(psutil.NoSuchProcess):
+        while psutil.Process(pid).status() != psutil.STATUS_ZOMBIE:
+            assert time.monotonic() < deadline, "the process still runs"
+            time.sleep(0.01)
+
+
 def test_a_part_that_will_not_stop_is_killed_with_what_it_started(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -77,8 +86,7 @@ pathlib.Path(sys.argv[1]).write_text(str(child.pid))
 {FOREVER}
 """
     asyncio.run(supervise([[part("stubborn", script, up, ready=exists(up))]], tmp_path, interrupt))
-    with contextlib.suppress(psutil.NoSuchProcess):
-        assert psutil.Process(int(up.read_text())).status() == psutil.STATUS_ZOMBIE
+    wait_for_end(int(up.read_text()))
 
 
 def test_parts_stop_in_reverse_order_of_starting(tmp_path: Path) -> None:
