@@ -1,4 +1,4 @@
-"""Slab joints that ride with the track (P-ELE).
+"""Slab joints that ride with the track (the P-ELE of the article, with unknowns of its own).
 
 At a joint the slab carries no moment, and shear only through a spring and a damper. Its displacement gains two unknowns
 per joint, the jump J0 and the slope jump J1, with shape functions that start at the joint, are fixed to it, and fade

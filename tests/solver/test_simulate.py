@@ -30,7 +30,7 @@ def peak(response: Response, quantity: str, position: str = "wheelset_1"):
     ("speed", "damping"), [(10 / 3.6, 0.0), (50.0, 0.0), (97.22, 0.0), (97.22, 4900.0), (1.2 * 510.655, 4900.0)]
 )
 def test_moving_force_on_a_winkler_beam(make_case, speed, damping):
-    """Pads 25 mm apart on a slab that cannot move are a Winkler foundation (formulation, check 1)."""
+    """Pads 25 mm apart on a slab that cannot move are a Winkler foundation."""
     spacing, bending_stiffness = 0.025, 6.12e6
     track = replace(
         TRACKS["crts2"].values,
@@ -104,7 +104,7 @@ def test_a_slow_train_on_a_smooth_rail_meets_the_static_answer(make_case):
 
 @pytest.mark.parametrize("speed_kmh", [160, 200, 250, 300, 350])
 def test_harmonic_irregularity_meets_the_frequency_domain(make_case, conical_vehicle, speed_kmh):
-    """Formulation, check 7: amplitudes within 5 % where the wheels keep contact, lift-off reported where not."""
+    """Amplitudes within 5 % where the wheels keep contact; loss of contact is reported where they do not."""
     track = replace(TRACKS["crts2"].values, pad_spacing=0.625)
     numerics = Numerics(track_length=95.0, settle=0.9, window=0.5)
     parts = {"speed": speed_kmh / 3.6, "track": track, "vehicle": conical_vehicle, "numerics": numerics}

@@ -150,7 +150,7 @@ def test_moving_elements_agree_on_jointed_slabs(make_case, conical_vehicle, spee
 
 @pytest.mark.slow
 def test_another_model_with_double_nodes_agrees(make_case, conical_vehicle, monkeypatch):
-    """Formulation, section 3: a model with joints where the sine begins, that is half a pad spacing from here."""
+    """Figures of another model, whose joints stand where the sine begins, that is half a pad spacing from here."""
     sample = track_fixed.sample
     monkeypatch.setattr(track_fixed, "sample", lambda eta, start, *rest: sample(eta, start - 0.325, *rest))
     numerics = Numerics(track_length=110.0, settle=0.7, window=0.27)  # two slabs: the sine's and the joints' period
