@@ -7,7 +7,7 @@ import numpy as np
 
 from solver.arrays import Array
 from solver.case import Case
-from solver.channels import CHANNELS
+from solver.channels import CHANNELS, TRACK
 from solver.contact import WHEELS, hertz_constant
 from solver.integrator import Integrator, integrator
 from solver.irregularity import sample
@@ -114,7 +114,7 @@ class Block:
             out,
             self.lanes,
         )
-        rail = out[:, :, 4]
+        rail = out[:, :, TRACK]
         with np.errstate(invalid="ignore"):
             self.state.failed[:] |= ~(np.abs(rail) < LIMIT).all(axis=0)
         self.done = stop
@@ -129,11 +129,7 @@ def _operator(model: TrackModel, scheme: Integrator, wheels: Array) -> Operator:
     # A load inside an element bends it beyond its cubic, as it bends a beam clamped at both ends.
     clamped = -2 * length * (xi * (1 - xi)) ** 2
     return Operator(
-        blocks=periodic.blocks,
-        block_of_cell=periodic.block_of_cell,
-        window_start=periodic.window_start,
-        windows=periodic.windows,
-        compliance=periodic.compliance,
+        **vars(periodic),
         wheel_row=np.array([NODE * element for element, _ in located]),
         wheel_place=np.array([place for _, place in located]),
         wheel_shape=np.array([model.shape(position) for _, position in located]),

@@ -73,10 +73,10 @@ def joint_row(c: Joints, step: int, joint: int) -> int:
 
 
 @compiled
-def shapes_at(c: Joints, step: int, element: int, xi: float) -> tuple[int, float, float, float, float]:
-    """Slot of the joint whose shape functions reach a place in the mesh, their values and second derivatives.
+def shapes_at(c: Joints, step: int, element: int, xi: float) -> tuple[int, float, float]:
+    """First row of the joint whose shape functions reach a place in the mesh, or -1, and their values.
 
-    The slot is -1 where there is none. Derivatives count in lengths of fading.
+    The second value counts in lengths of fading.
     """
     first, n = first_joint(c, step), c.joints
     for joint in range(first, first + n):
@@ -84,10 +84,8 @@ def shapes_at(c: Joints, step: int, element: int, xi: float) -> tuple[int, float
         s = ahead / c.elements_per_pad
         if 0.0 <= s < 1.0:
             fade = 1 - s**4 * (35 - s * (84 - s * (70 - 20 * s)))
-            slope = -140 * s**3 * (1 - s) ** 3
-            bend = -420 * s**2 * (1 - s) ** 2 * (1 - 2 * s)
-            return 2 * (joint % n), fade, s * fade, bend, 2 * slope + s * bend
-    return -1, 0.0, 0.0, 0.0, 0.0
+            return 2 * (joint % n), fade, s * fade
+    return -1, 0.0, 0.0
 
 
 @compiled

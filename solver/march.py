@@ -161,7 +161,7 @@ def _record_track(k: Integrator, op: Operator, state: State, lane: int, out: Arr
 @compiled
 def _record_joints(k: Integrator, op: Operator, c: Joints, state: JointState, step: int, lane: int, out: Array) -> None:
     """What the joints add under the first wheel, and the largest opening, slope jump and shear of any joint."""
-    slot, e0, e1, _, _ = shapes_at(c, step, op.wheel_row[0] // 6, op.wheel_place[0])
+    slot, e0, e1 = shapes_at(c, step, op.wheel_row[0] // 6, op.wheel_place[0])
     if slot >= 0:
         length = op.spacing
         out[SLAB_CHANNEL] += e0 * state.x[slot, lane] + length * e1 * state.x[slot + 1, lane]
@@ -185,7 +185,7 @@ def _solve_track(
     substitute(op.blocks, op.block_of_cell[phase], state.x, lanes)
     _rail_without_forces(op, state, rail)
     for i in range(WHEELS):
-        for j in range(WHEELS):  # element by element: an array assignment compiles ten times as long
+        for j in range(WHEELS):  # an array assignment would compile its error messages too
             compliance[i, j] = op.compliance[phase, i, j]
     if c.joints > 0:
         solve_joints(c, joints, step, state.x, lanes)

@@ -47,8 +47,11 @@ class Peak:
 
 def peaks(response: Response) -> list[Peak]:
     """All peaks of a response, in a fixed order."""
-    found = [_peak(response, channel, values) for channel, values in _histories(response)]
-    return found + [_of_values(response, channel, values) for channel, values in _indices(response)]
+    histories = list(_histories(response))
+    found = [_peak(response, channel, values) for channel, values in histories]
+    return found + [
+        _of_values(response, channel, values) for channel, values in _indices(histories, response.time_step)
+    ]
 
 
 def _histories(response: Response) -> Iterator[tuple[Channel, Array]]:
@@ -65,18 +68,17 @@ def _histories(response: Response) -> Iterator[tuple[Channel, Array]]:
             yield replace(channel, quantity="car_body_acceleration_comfort"), indices.comfort_band(values, step)
 
 
-def _indices(response: Response) -> Iterator[tuple[Channel, Array]]:
+def _indices(histories: list[tuple[Channel, Array]], step: float) -> Iterator[tuple[Channel, Array]]:
     """Values that sum up a history."""
-    step = response.time_step
-    for channel, values in zip(response.channels, response.values, strict=True):
+    for channel, values in histories:
         if channel.quantity == "wheel_rail_force":
             yield replace(channel, quantity="wheel_rail_force_quantile"), _quantile(values)
-            filtered = indices.low_pass(values, step)
-            yield replace(channel, quantity="wheel_rail_force_20hz_quantile"), _quantile(filtered)
             losses = indices.contact_losses(values, step)
             events = np.array([float(np.count_nonzero(losses))])
             yield replace(channel, quantity="contact_loss_events", unit="1"), events
             yield replace(channel, quantity="contact_loss_duration", unit="s"), losses
+        elif channel.quantity == "wheel_rail_force_20hz":
+            yield replace(channel, quantity="wheel_rail_force_20hz_quantile"), _quantile(values)
         elif channel.quantity == "car_body_acceleration":
             yield replace(channel, quantity="sperling_index", unit="1"), indices.sperling(values, step)
 

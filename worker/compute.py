@@ -18,11 +18,12 @@ from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
 from solver.case import Case
-from solver.peaks import Peak, peaks
+from solver.peaks import peaks
 from solver.simulate import Progress, Response, SolverError, solve
 from worker import lease
 from worker.heartbeat import Heartbeat, StoppedError
 from worker.history import archive
+from worker.peak import peak_at_boundary
 
 PATIENCE_S = 60.0  # for a database that is away when there is an outcome to write down
 
@@ -76,7 +77,7 @@ class Worker:
             (result,) = solve([Case.from_dict(held.inputs)], progress)
             if isinstance(result, SolverError):  # the same again, however often it were tried
                 return partial(lease.fail, held=held, code=result.code, detail=str(result))
-            rows, history = [_row(peak) for peak in peaks(result)], self._keep_history(held, result)
+            rows, history = [peak_at_boundary(peak) for peak in peaks(result)], self._keep_history(held, result)
             cpu_s = time.process_time() - began
             return partial(lease.succeed, held=held, peaks=rows, history=history, cpu_s=cpu_s)
         except StoppedError:
@@ -112,8 +113,3 @@ class Worker:
                     raise
                 log.warning("database unavailable", error=str(error))
                 time.sleep(0.5)
-
-
-def _row(peak: Peak) -> dict[str, Any]:
-    values = vars(peak).copy()
-    return values | {"time_s": values.pop("time"), "track_position_m": values.pop("track_position")}

@@ -2,16 +2,16 @@
 
 import os
 from pathlib import Path
-from typing import Any
 
 from rich.progress import Progress
 
 from app.console import FAILED, WRONG_USAGE, err, fail, out, peaks_table
 from solver.case import Case
-from solver.peaks import Peak, peaks
+from solver.peaks import peaks
 from solver.simulate import Response, SolverError, solve
 from solver.version import SOLVER_VERSION
 from worker.history import archive
+from worker.peak import peak_at_boundary
 
 
 def solve_here(case: Case) -> Response:
@@ -22,12 +22,6 @@ def solve_here(case: Case) -> Response:
     if isinstance(result, SolverError):
         fail(f"{result.code}: {result}", FAILED)
     return result
-
-
-def peak_at_boundary(peak: Peak) -> dict[str, Any]:
-    """A peak by the names it has in the service's answers."""
-    values = vars(peak).copy()
-    return values | {"time_s": values.pop("time"), "track_position_m": values.pop("track_position")}
 
 
 def run(case: Case, histories: Path | None, as_json: bool) -> None:
