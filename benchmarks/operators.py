@@ -57,13 +57,11 @@ class Contender:
 def contenders(block: Block) -> list[Contender]:
     """The usual ways, from the same matrices."""
     model, k = block.model, block.scheme
-    cells = np.arange(model.cells)
 
     def matrices(phase: int) -> tuple[Array, sparse.csc_array, sparse.csc_array]:
         bands = {}
         for name, factors in {"a": (k.inertia, k.damping), "m": (1e13, 0.0), "c": (0.0, 1e13), "k": (0.0, 0.0)}.items():
-            bands[name] = model.band(cells, *factors)
-            model.add_pads(bands[name], cells, phase, factors[1])
+            bands[name] = model.band(model.cells, phase, *factors)
         mass, damping = ((bands[n] - bands["k"]) / 1e13 for n in "mc")
         return bands["a"], *(sparse.diags_array(diagonals(b), offsets=range(-9, 10)).tocsc() for b in (mass, damping))
 
@@ -73,8 +71,7 @@ def contenders(block: Block) -> list[Contender]:
 
     def by_spsolve(phase: int, p: Array, q: Array) -> Array:
         # What a script does: the matrix changes with every step, so it is assembled and factorised in every step.
-        a = model.band(cells, k.inertia, k.damping)
-        model.add_pads(a, cells, phase, k.damping)
+        a = model.band(model.cells, phase, k.inertia, k.damping)
         _, mass, damping = phases[phase]
         return spsolve(sparse.diags_array(diagonals(a), offsets=range(-9, 10)).tocsc(), mass @ p + damping @ q)
 

@@ -13,9 +13,11 @@ from solver.integrator import Integrator, integrator
 from solver.irregularity import sample
 from solver.joint import joint_operator, joint_state
 from solver.kernels import stencils
-from solver.march import SIZE, Operator, State, Vehicles, march
+from solver.march import march
 from solver.periodic import periodic_operator
+from solver.record import sensors
 from solver.start import static_equilibrium
+from solver.state import SIZE, Operator, State, Vehicles
 from solver.track import NODE, TrackModel
 from solver.vehicle import vehicle_matrices, wheel_positions
 
@@ -44,8 +46,9 @@ class Block:
         self.model = TrackModel(case)
         self.scheme = integrator(case.time_step, case.numerics.spectral_radius)
         self.wheels = wheel_positions(case.vehicle)
-        self.stencils = stencils(self.model)
+        self.stencils = stencils(self.model, self.scheme.step)
         self.operator = _operator(self.model, self.scheme, self.wheels)
+        self.sensors = sensors(self.model, self.wheels)
         self.vehicles = _vehicles(self.cases, self.scheme)
         self.lanes = (0.0,) * width
         self.settle_steps = math.ceil(case.numerics.settle / case.time_step)
@@ -106,6 +109,7 @@ class Block:
             self.stencils,
             self.operator,
             self.joints,
+            self.sensors,
             self.vehicles,
             self.state,
             self.joint_state,
@@ -135,8 +139,6 @@ def _operator(model: TrackModel, scheme: Integrator, wheels: Array) -> Operator:
         wheel_shape=np.array([model.shape(position) for _, position in located]),
         point_shape=np.array([model.shape(xi, derivative) for derivative in (0, 1, 2)]),
         curvature_per_force=clamped / (track.rail_elastic_modulus * track.rail_second_moment),
-        speed=model.case.speed,
-        spacing=track.pad_spacing,
     )
 
 

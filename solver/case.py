@@ -39,7 +39,7 @@ __all__ = [
 ]
 
 CLEARANCE = 6.0  # m of track between the outer wheels and the absorbing ends
-CLOSED_PADS = 20  # pads next to each absorbing end where joints are closed or only begin to open
+CLOSED_PADS = 30  # pads next to each end where joints are closed or only begin to open
 MAX_PHASES = 2000  # steps from pad to pad: each has its own factors in memory
 MIN_STEPS = 10  # steps per pad spacing and per shortest wavelength
 
@@ -145,7 +145,12 @@ class Numerics(Checked):
         "", "spectral radius of the integrator at infinite frequency", ge=0, le=1, default=0.8
     )
     absorbing_length: float = quantity("m", "length of each absorbing end", ge=5, le=200, default=24.0)
-    absorbing_damping: float = quantity("N s/m^2", "roadbed damping added at the very ends", ge=0, le=1e9, default=3e6)
+    absorbing_damping: float = quantity(
+        "N s/m^2", "damping of the whole track added at the very ends", ge=0, le=1e9, default=3e6
+    )
+    joint_blending: float = quantity(
+        "", "pad spacings over which the shape functions of a joint fade", ge=0.5, le=3, default=2.0
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -187,13 +192,13 @@ class Case(Checked):
         return max(1, round(self.numerics.absorbing_length / self.track.pad_spacing))
 
     def _check_domain(self) -> None:
-        clearance = CLEARANCE + (self.slab == "discontinuous") * CLOSED_PADS * self.track.pad_spacing
-        overhang = self.vehicle.half_bogie_distance + self.vehicle.half_wheelbase + clearance
-        shortest = 2 * (overhang + self.absorbing_cells * self.track.pad_spacing) + self.track.pad_spacing
+        overhang = self.vehicle.half_bogie_distance + self.vehicle.half_wheelbase + CLEARANCE
+        ends = max(self.absorbing_cells, CLOSED_PADS * (self.slab == "discontinuous"))
+        shortest = 2 * (overhang + ends * self.track.pad_spacing) + self.track.pad_spacing
         if self.cells * self.track.pad_spacing < shortest:
             raise InvalidParameterError(
                 "numerics.track_length_m",
-                f"must hold the vehicle, {clearance:.3g} m on either side and the absorbing ends: at least "
+                f"must hold the vehicle, {CLEARANCE:g} m on either side and the absorbing ends: at least "
                 f"{shortest + self.track.pad_spacing:.2f} m, is {self.numerics.track_length:g} m",
             )
 
@@ -248,7 +253,8 @@ class Case(Checked):
     def _without_joints(self, data: dict[str, Any]) -> dict[str, Any]:
         """Leave out what a continuous slab does not have."""
         if self.slab == "continuous":
-            data["track"] = {name: value for name, value in data["track"].items() if name != "joint"}
+            for part, unused in (("track", "joint"), ("numerics", "joint_blending")):
+                data[part] = {name: value for name, value in data[part].items() if name != unused}
         return data
 
 

@@ -14,7 +14,7 @@ class Channel:
 
 WHEELSETS = tuple(f"wheelset_{i}" for i in (1, 2, 3, 4))
 
-ALL_JOINTS = "joints"
+ALL_PADS, ALL_JOINTS = "pads", "joints"
 
 
 def _channels(quantity: str, unit: str, *positions: str) -> tuple[Channel, ...]:
@@ -31,14 +31,21 @@ CHANNELS: tuple[Channel, ...] = (
     *_channels("slab_acceleration", "m/s^2", WHEELSETS[0]),
     *_channels("base_displacement", "m", WHEELSETS[0]),
     *_channels("base_acceleration", "m/s^2", WHEELSETS[0]),
+    *_channels("slab_moment", "N m", WHEELSETS[0]),
+    *_channels("roadbed_pressure", "N/m", WHEELSETS[0]),
+    # The largest of all pads under the train: compression, and pull where the rail lifts off.
+    *_channels("pad_force", "N", ALL_PADS),
+    *_channels("pad_uplift", "N", ALL_PADS),
     *_channels("car_body_acceleration", "m/s^2", "car_body"),
     *_channels("bogie_acceleration", "m/s^2", "bogie_1", "bogie_2"),
     *_channels("wheelset_acceleration", "m/s^2", *WHEELSETS),
-    # Of all joints, that with the largest magnitude at the time.
+    # Of all joints, that with the largest magnitude at the time; the moment is that at the pads next to a joint.
     *_channels("joint_opening", "m", ALL_JOINTS),
     *_channels("joint_slope_jump", "rad", ALL_JOINTS),
     *_channels("joint_shear", "N", ALL_JOINTS),
+    *_channels("slab_moment", "N m", ALL_JOINTS),
 )
-TRACK = 4  # first of the seven track channels
-BODIES = 11  # first of the vehicle's accelerations
-JOINTS = 18  # first of the joints' channels; a continuous slab has none
+TRACK = 4  # first of the nine track channels
+PADS = 13  # first of the pads' channels
+BODIES = 15  # first of the vehicle's accelerations
+JOINTS = 22  # first of the joints' channels; a continuous slab has none

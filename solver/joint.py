@@ -2,11 +2,12 @@
 
 At a joint the slab carries no moment, and shear only through a spring and a damper. Its displacement gains two unknowns
 per joint, the jump J0 and the slope jump J1, with shape functions that start at the joint, are fixed to it, and fade
-over one pad spacing d ahead of it (s = distance ahead of the joint, xi = s / d)::
+over a distance d ahead of it (s = distance ahead of the joint, xi = s / d)::
 
     E0 = 1 - S(xi),   E1 = s (1 - S(xi)),   S = 35 xi^4 - 84 xi^5 + 70 xi^6 - 20 xi^7
 
-so ``z = N z_nodes + E J``. The nodal part stays smooth: nothing is handed over where a joint passes a node. E travels
+so ``z = N z_nodes + E J``. The nodal part stays smooth: nothing is handed over where a joint passes a node. It has to
+follow the fading, so d must span many elements, or the slab hums as its joints pass from element to element. E travels
 with the track, so its material derivatives are plain rates and the joint's columns hold no convective terms; the
 joint's rows test the full convective expression of the nodal part.
 
@@ -14,6 +15,7 @@ What is built here is, per phase, the template that all joints share: their bloc
 on the few nodes around them, and the window of ``A^-1`` times their columns.
 """
 
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -77,12 +79,19 @@ class JointModel:
     @cached_property
     def length(self) -> float:
         """Distance over which the shape functions fade, m."""
-        return self.model.case.track.pad_spacing
+        return self.model.case.numerics.joint_blending * self.model.case.track.pad_spacing
 
     @cached_property
     def nodes(self) -> int:
         """Nodes around a joint that it touches."""
-        return self.model.case.numerics.elements_per_pad + 2
+        return math.ceil(round(self.length / self.model.element.length, 6)) + 2
+
+    @cached_property
+    def pads_ahead(self) -> Array:
+        """Distances from a joint to the pads ahead of it where its shape functions have not faded, m."""
+        t = self.model.case.track
+        distance = (np.arange(1, self.nodes) - t.joint.position) * t.pad_spacing
+        return distance[distance < self.length]
 
     def location(self, phase: int) -> tuple[int, float]:
         """Element within a cell that holds a joint, and where in it."""
@@ -95,7 +104,8 @@ class JointModel:
         _, xi = self.location(phase)
         for element in range(self.nodes - 1):
             self._integrate(blocks, element, xi)
-        self._add_pad(blocks, xi)
+        for distance in self.pads_ahead:
+            self._add_pad(blocks, xi, distance)
         blocks.own[1, 0, 0] += joint.shear_damping
         blocks.own[2, 0, 0] += joint.shear_stiffness
         return blocks
@@ -132,12 +142,11 @@ class JointModel:
         blocks.own[1] += t.mortar_damping * own
         blocks.own[2] += t.mortar_stiffness * own + bending * integral(e2, e2)
 
-    def _add_pad(self, blocks: Blocks, xi: float) -> None:
-        """Add the one pad that stands where the shape functions have not faded."""
+    def _add_pad(self, blocks: Blocks, xi: float, distance: float) -> None:
+        """Add a pad at a distance ahead of the joint."""
         t, speed = self.model.case.track, self.model.case.speed
-        ahead = 1 - t.joint.position
-        element, place = divmod(xi + ahead * self.model.case.numerics.elements_per_pad, 1.0)
-        e = enrichment(np.array(ahead * self.length), self.length)
+        element, place = divmod(round(xi + distance / self.model.element.length, 9), 1.0)
+        e = enrichment(np.array(distance), self.length)
         n, slope = self.model.shape(place), self.model.shape(place, 1)
         for beam, sign in ((RAIL, -1), (SLAB, 1)):
             rows = NODE * int(element) + np.array([0, 1, NODE, NODE + 1]) + 2 * beam
@@ -292,24 +301,27 @@ def _neighbours(remainder: Array, probe: Array, window: Array, lead: int, slab: 
 def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_of_cell: Array) -> Joints:
     """The joints of a track for the compiled passes; none where the slab is continuous."""
     case = model.case
-    joint, per_cell = case.track.joint, case.numerics.elements_per_pad
+    joint, per_cell, joints = case.track.joint, case.numerics.elements_per_pad, JointModel(model)
     if case.slab == "continuous":
         templates, first, count = JointTemplates.none(), 0, 0
     else:
         templates = joint_templates(model, scheme, factors, block_of_cell)
-        # Open where the windows around a joint do not reach the absorbing ends: there all is periodic.
+        # Open where all is periodic: where factors have settled and windows do not reach the ends of the track.
         reach_cells = -(-templates.window_lead // (NODE * per_cell)) + 1
-        first = model.absorbing_cells + reach_cells
-        count = (model.cells - model.absorbing_cells - reach_cells - first) // joint.pads_per_slab
+        first = int(block_of_cell[0, -1] - block_of_cell[0, 0]) + reach_cells
+        count = max((model.cells - reach_cells - first) // joint.pads_per_slab, 0)
     return Joints(
         **vars(templates),
         wheel_cell=model.wheel_cell,
         first_cell=first,
-        joints=max(count, 0),
+        joints=count,
         pads_per_slab=joint.pads_per_slab,
         elements_per_pad=per_cell,
+        fade_elements=joints.length / model.element.length,
+        fade_length=joints.length,
         shear_stiffness=joint.shear_stiffness,
         shear_damping=joint.shear_damping,
+        kept_velocity=np.ascontiguousarray(model.absorption(scheme.step)[:, 0]),
     )
 
 

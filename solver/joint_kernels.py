@@ -39,8 +39,11 @@ class Joints(NamedTuple):
     joints: int
     pads_per_slab: int
     elements_per_pad: int
+    fade_elements: float  # over which the shape functions fade
+    fade_length: float  # the same, m
     shear_stiffness: float
     shear_damping: float
+    kept_velocity: Array  # (nodes,) what the track's ends leave of a velocity in a step
 
 
 class JointState(NamedTuple):
@@ -73,19 +76,33 @@ def joint_row(c: Joints, step: int, joint: int) -> int:
 
 
 @compiled
-def shapes_at(c: Joints, step: int, element: int, xi: float) -> tuple[int, float, float]:
-    """First row of the joint whose shape functions reach a place in the mesh, or -1, and their values.
+def shapes_at(c: Joints, step: int, element: int, xi: float, out: Array) -> int:
+    """Shape functions of the joint that reaches a place in the mesh: values and curvatures.
 
-    The second value counts in lengths of fading.
+    Parameters
+    ----------
+    element, xi
+        The place.
+    out : ndarray, shape (2, 2)
+        Values and second derivatives of both shape functions.
+
+    Returns
+    -------
+    int
+        First row of the joint, or -1 where none reaches.
     """
-    first, n = first_joint(c, step), c.joints
+    first, n, d = first_joint(c, step), c.joints, c.fade_length
     for joint in range(first, first + n):
         ahead = element + xi - joint_row(c, step, joint) / 6 - c.place[step % c.element.shape[0]]
-        s = ahead / c.elements_per_pad
+        s = ahead / c.fade_elements
         if 0.0 <= s < 1.0:
             fade = 1 - s**4 * (35 - s * (84 - s * (70 - 20 * s)))
-            return 2 * (joint % n), fade, s * fade
-    return -1, 0.0, 0.0
+            slope = -140 * (s * (1 - s)) ** 3
+            bend = -420 * (s * (1 - s)) ** 2 * (1 - 2 * s)
+            out[0, 0], out[0, 1] = fade, d * s * fade
+            out[1, 0], out[1, 1] = bend / d**2, (2 * slope + s * bend) / d
+            return 2 * (joint % n)
+    return -1
 
 
 @compiled
@@ -219,17 +236,21 @@ def open_joints(c: Joints, state: JointState, step: int, x: Array, force: Array,
 
 
 @compiled
-def advance_joints(k: Integrator, state: JointState, lanes: Lanes) -> None:
+def advance_joints(k: Integrator, c: Joints, state: JointState, step: int, lanes: Lanes) -> None:
     """Update the predictors of all slots."""
-    for unknown in range(state.x.shape[0]):
-        jump, pu = load(state.x, unknown, lanes), load(state.u, unknown, lanes)
-        new = scale(k.acceleration, subtract(jump, pu))
-        old = load(state.a, unknown, lanes)
-        store(state.reported, unknown, fma(1 - k.alpha, new, scale(k.alpha, old)))
-        velocity = fma(k.velocity, new, load(state.v, unknown, lanes))
-        store(state.u, unknown, fma(k.step, velocity, fma(k.drift, new, jump)))
-        store(state.v, unknown, fma(k.kick, new, velocity))
-        store(state.a, unknown, new)
+    first, n = first_joint(c, step), c.joints
+    for joint in range(first, first + n):
+        kept = c.kept_velocity[joint_row(c, step, joint) // 6]
+        slot = 2 * (joint % n)
+        for unknown in range(slot, slot + 2):
+            jump, pu = load(state.x, unknown, lanes), load(state.u, unknown, lanes)
+            new = scale(k.acceleration, subtract(jump, pu))
+            old = load(state.a, unknown, lanes)
+            store(state.reported, unknown, fma(1 - k.alpha, new, scale(k.alpha, old)))
+            velocity = scale(kept, fma(k.velocity, new, load(state.v, unknown, lanes)))
+            store(state.u, unknown, fma(k.step, velocity, fma(k.drift, new, jump)))
+            store(state.v, unknown, fma(k.kick, new, velocity))
+            store(state.a, unknown, new)
 
 
 @compiled

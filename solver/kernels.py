@@ -31,23 +31,18 @@ class Stencils(NamedTuple):
     mortar_damping: float
     roadbed_damping: float
     pad_damping: float
-    element_mass: Array  # (4, 4)
-    absorption: Array  # (elements,) roadbed damping added
-    spread_damping: Array  # (elements,) pad damping per length where pads are spread
-    end_elements: Array
-    first_pad_cell: int
-    pad_cells: int
     elements_per_pad: int
     pad_element: Array  # (phases,)
     pad_weights: Array  # (phases, 4)
+    absorbing_nodes: Array  # nodes that lose velocity in every step
+    absorption: Array  # (nodes, 2) what a step leaves of it, and the slope of that
 
 
-def stencils(model: TrackModel) -> Stencils:
-    """Stencils of a track."""
+def stencils(model: TrackModel, step: float) -> Stencils:
+    """Stencils of a track for a step (s)."""
     t, e, speed = model.case.track, model.element, model.case.speed
     inertia = np.array([t.rail_mass, t.slab_mass, t.base_mass])
-    per_cell = model.case.numerics.elements_per_pad
-    is_end = np.repeat(model.spread_pads, per_cell)
+    absorption = model.absorption(step)
     pads = [model.pad_location(phase) for phase in range(model.case.phases)]
     return Stencils(
         mass=_mass_stencil(e),
@@ -56,15 +51,11 @@ def stencils(model: TrackModel) -> Stencils:
         mortar_damping=t.mortar_damping,
         roadbed_damping=t.roadbed_damping,
         pad_damping=t.pad_damping,
-        element_mass=e.mass,
-        absorption=model.absorption,
-        spread_damping=is_end * (t.pad_damping / t.pad_spacing),
-        end_elements=np.flatnonzero(is_end),
-        first_pad_cell=model.absorbing_cells,
-        pad_cells=model.cells - 2 * model.absorbing_cells,
-        elements_per_pad=per_cell,
+        elements_per_pad=model.case.numerics.elements_per_pad,
         pad_element=np.array([element for element, _ in pads]),
         pad_weights=np.array([model.shape(xi) for _, xi in pads]),
+        absorbing_nodes=np.flatnonzero(absorption[:, 0] < 1),
+        absorption=absorption,
     )
 
 
@@ -163,7 +154,6 @@ def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array
     store(r, row + 3, h3)
     store(r, row + 4, h4)
     store(r, row + 5, h5)
-    _add_ends(k, c, u, v, r, lanes)
     _add_pads(k, c, phase, u, v, r, lanes)
     for i in range(NODE):
         store(r, i, none)
@@ -186,42 +176,47 @@ def _accumulate(r: Array, row: int, factor: float, vector: Vector, lanes: Lanes)
 
 
 @compiled
-def _add_ends(k: Integrator, c: Stencils, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
-    """Spread pads and absorption."""
-    m = c.element_mass
-    for element in c.end_elements:
-        row = NODE * element
-        t0, t1 = _stretch(k, u, v, row, lanes), _stretch(k, u, v, row + 1, lanes)
-        y0, y1 = _q(k, u, v, row + 4, lanes), _q(k, u, v, row + 5, lanes)
-        t2 = t3 = y2 = y3 = zero(lanes)
-        targets = 2  # the node after the last is clamped and left out
-        if row + NODE < r.shape[0]:
-            t2, t3 = _stretch(k, u, v, row + 6, lanes), _stretch(k, u, v, row + 7, lanes)
-            y2, y3 = _q(k, u, v, row + 10, lanes), _q(k, u, v, row + 11, lanes)
-            targets = 4
-        for i in range(targets):
-            target = row + NODE * (i // 2) + i % 2
-            pads = fma(m[i, 0], t0, fma(m[i, 1], t1, fma(m[i, 2], t2, scale(m[i, 3], t3))))
-            roadbed = fma(m[i, 0], y0, fma(m[i, 1], y1, fma(m[i, 2], y2, scale(m[i, 3], y3))))
-            _accumulate(r, target, c.spread_damping[element], pads, lanes)
-            _accumulate(r, target + 2, -c.spread_damping[element], pads, lanes)
-            _accumulate(r, target + 4, c.absorption[element], roadbed, lanes)
-
-
-@compiled
 def _add_pads(k: Integrator, c: Stencils, phase: int, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
     """Dampers of the pads at a phase."""
     n = c.pad_weights[phase]
-    for cell in range(c.first_pad_cell, c.first_pad_cell + c.pad_cells):
-        row = NODE * (cell * c.elements_per_pad + c.pad_element[phase])
-        stretch = fma(n[0], _stretch(k, u, v, row, lanes), scale(n[1], _stretch(k, u, v, row + 1, lanes)))
-        stretch = fma(n[2], _stretch(k, u, v, row + 6, lanes), stretch)
-        stretch = fma(n[3], _stretch(k, u, v, row + 7, lanes), stretch)
+    for first in range(NODE * c.pad_element[phase], r.shape[0], NODE * c.elements_per_pad):
+        stretch = fma(n[0], _stretch(k, u, v, first, lanes), scale(n[1], _stretch(k, u, v, first + 1, lanes)))
+        targets = 2  # the node after the last is clamped and left out
+        if first + NODE < r.shape[0]:
+            stretch = fma(n[2], _stretch(k, u, v, first + 6, lanes), stretch)
+            stretch = fma(n[3], _stretch(k, u, v, first + 7, lanes), stretch)
+            targets = 4
         force = scale(c.pad_damping, stretch)
-        for i in range(4):
-            target = row + NODE * (i // 2) + i % 2
+        for i in range(targets):
+            target = first + NODE * (i // 2) + i % 2
             _accumulate(r, target, n[i], force, lanes)
             _accumulate(r, target + 2, -n[i], force, lanes)
+
+
+@compiled
+def _rate(k: Integrator, x: Array, u: Array, row: int, lanes: Lanes) -> Vector:
+    """What a step's acceleration adds to the velocity predicted for its end."""
+    return scale(k.velocity * k.acceleration, subtract(load(x, row, lanes), load(u, row, lanes)))
+
+
+@compiled
+def absorb(k: Integrator, c: Stencils, x: Array, u: Array, v: Array, lanes: Lanes) -> None:
+    """Take away the part of the velocity at the end of a step that the track's ends absorb.
+
+    Parameters
+    ----------
+    x : ndarray, shape (unknowns, lanes)
+        Displacements at the end of the step.
+    u, v : ndarray, shape (unknowns, lanes)
+        Predictors of displacement and velocity; the latter is updated.
+    """
+    for node in c.absorbing_nodes:
+        left, slope = c.absorption[node, 0], c.absorption[node, 1]
+        for row in range(NODE * node, NODE * node + NODE, 2):
+            rate0, rate1 = _rate(k, x, u, row, lanes), _rate(k, x, u, row + 1, lanes)
+            velocity0, velocity1 = add(load(v, row, lanes), rate0), add(load(v, row + 1, lanes), rate1)
+            store(v, row, subtract(scale(left, velocity0), rate0))
+            store(v, row + 1, subtract(fma(left, velocity1, scale(slope, velocity0)), rate1))
 
 
 @compiled

@@ -1,12 +1,10 @@
 """Time stepping of a block of lanes: the track through its cycle of phases, the vehicles, and their contacts."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from solver.arrays import Array
 from solver.banded import substitute
-from solver.channels import BODIES, JOINTS, TRACK
+from solver.channels import BODIES
 from solver.compiled import compiled
 from solver.contact import WHEELS, close_contacts
 from solver.integrator import Integrator
@@ -20,58 +18,15 @@ from solver.joint_kernels import (
     probe_track,
     rail_under_wheels,
     respond_to_wheels,
-    shapes_at,
     solve_joints,
 )
-from solver.kernels import Lanes, Stencils, add_window, advance
+from solver.kernels import Lanes, Stencils, absorb, add_window, advance
+from solver.record import Sensors, record_joints, record_pads, record_track
 from solver.simd import load
+from solver.state import SIZE, Operator, State, Vehicles
 
 BODY_ROWS = (0, 2, 4, 6, 7, 8, 9)  # vehicle unknowns whose accelerations are recorded
 FIRST_WHEELSET = 6
-SLAB_CHANNEL = TRACK + 3
-SIZE = 10
-
-
-class Operator(NamedTuple):
-    """The track's side of a step; see :class:`solver.periodic.PeriodicOperator`."""
-
-    blocks: Array
-    block_of_cell: Array
-    window_start: Array
-    windows: Array
-    compliance: Array
-    wheel_row: Array  # (4,) first row of the two nodes around a wheel
-    wheel_place: Array  # (4,) where a wheel stands in its element
-    wheel_shape: Array  # (4, 4) rail shape functions under a wheel
-    point_shape: Array  # (3, 4) shape functions and their first two derivatives under the first wheel
-    curvature_per_force: float  # what the load inside its element adds to the rail's second derivative, 1/(m N)
-    speed: float
-    spacing: float  # of the pads, m
-
-
-class Vehicles(NamedTuple):
-    """The vehicles of all lanes."""
-
-    solution: Array  # (lanes, 10, 10) inverse of the step's matrix
-    mass: Array  # (lanes, 10)
-    damping: Array  # (lanes, 10, 10)
-    weight: Array  # (lanes, 10)
-    hertz: Array  # (lanes,)
-
-
-class State(NamedTuple):
-    """Everything that changes from step to step."""
-
-    x: Array  # (unknowns, lanes) displacements
-    u: Array  # (unknowns, lanes) displacements as predicted for the end of the step
-    v: Array  # (unknowns, lanes) velocities likewise
-    vehicle_u: Array  # (lanes, 10)
-    vehicle_v: Array  # (lanes, 10)
-    vehicle_a: Array  # (lanes, 10)
-    point_a: Array  # (12, lanes) accelerations of the two nodes around the first wheel
-    penetration: Array  # (lanes, 4)
-    force: Array  # (4, lanes)
-    failed: Array  # (lanes,)
 
 
 @compiled
@@ -133,50 +88,6 @@ def _rail_without_forces(op: Operator, state: State, rail: Array) -> None:
 
 
 @compiled
-def _record_track(k: Integrator, op: Operator, state: State, lane: int, out: Array) -> None:
-    """Displacement and material acceleration of rail, slab and base under the first wheel."""
-    row = op.wheel_row[0]
-    n = op.point_shape
-    for beam in range(3):
-        displacement = moving = slope_rate = curvature = 0.0
-        for i in range(4):
-            local = 6 * (i // 2) + 2 * beam + i % 2
-            x = state.x[row + local, lane]
-            new = k.acceleration * (x - state.u[row + local, lane])
-            velocity = state.v[row + local, lane] + k.velocity * new
-            displacement += n[0, i] * x
-            moving += n[0, i] * ((1 - k.alpha) * new + k.alpha * state.point_a[local, lane])
-            slope_rate += n[1, i] * velocity
-            curvature += n[2, i] * x
-            state.point_a[local, lane] = new
-        if beam == 0:
-            curvature += op.curvature_per_force * state.force[0, lane]
-        material = moving - 2 * op.speed * slope_rate + op.speed**2 * curvature
-        if beam == 0:
-            out[TRACK], out[TRACK + 1], out[TRACK + 2] = displacement, material, moving
-        else:
-            out[TRACK + 1 + 2 * beam], out[TRACK + 2 + 2 * beam] = displacement, material
-
-
-@compiled
-def _record_joints(k: Integrator, op: Operator, c: Joints, state: JointState, step: int, lane: int, out: Array) -> None:
-    """What the joints add under the first wheel, and the largest opening, slope jump and shear of any joint."""
-    slot, e0, e1 = shapes_at(c, step, op.wheel_row[0] // 6, op.wheel_place[0])
-    if slot >= 0:
-        length = op.spacing
-        out[SLAB_CHANNEL] += e0 * state.x[slot, lane] + length * e1 * state.x[slot + 1, lane]
-        out[SLAB_CHANNEL + 1] += e0 * state.reported[slot, lane] + length * e1 * state.reported[slot + 1, lane]
-    out[JOINTS] = out[JOINTS + 1] = out[JOINTS + 2] = 0.0
-    for joint in range(c.joints):
-        jump, turn = state.x[2 * joint, lane], state.x[2 * joint + 1, lane]
-        rate = state.v[2 * joint, lane] - k.kick * state.a[2 * joint, lane]
-        shear = c.shear_stiffness * jump + c.shear_damping * rate
-        for i, value in enumerate((jump, turn, shear)):
-            if abs(value) > abs(out[JOINTS + i]):
-                out[JOINTS + i] = value
-
-
-@compiled
 def _solve_track(
     op: Operator, c: Joints, state: State, joints: JointState, step: int, rail: Array, compliance: Array, lanes: Lanes
 ) -> None:
@@ -203,6 +114,7 @@ def _advance_all(
     k: Integrator, c: Stencils, joints: Joints, state: State, joint_state: JointState, step: int, lanes: Lanes
 ) -> None:
     """The state at the end of the step before to the right-hand side of a step."""
+    absorb(k, c, state.x, state.u, state.v, lanes)
     if joints.joints > 0:
         hand_over(joints, joint_state, step)
         probe_track(k, joints, joint_state, step, state.x, state.u, state.v, lanes)
@@ -217,6 +129,7 @@ def march(
     c: Stencils,
     op: Operator,
     joints: Joints,
+    sensors: Sensors,
     vehicles: Vehicles,
     state: State,
     joint_state: JointState,
@@ -229,8 +142,8 @@ def march(
 
     Parameters
     ----------
-    k, c, op, joints, vehicles
-        Scheme, track and vehicles; no joints where the slab is continuous.
+    k, c, op, joints, sensors, vehicles
+        Scheme, track, what is recorded of it, and vehicles; no joints where the slab is continuous.
     state, joint_state
         Updated.
     eta : ndarray, shape (steps, 4, lanes)
@@ -245,6 +158,7 @@ def march(
     accelerations = np.empty(SIZE)
     rail = np.empty((WHEELS, eta.shape[2]))
     compliance = np.empty((WHEELS, WHEELS))
+    pads = np.empty((sensors.pads, eta.shape[2]))
     phases = op.block_of_cell.shape[0]
     for s in range(eta.shape[0]):
         step = first + s
@@ -259,10 +173,10 @@ def march(
             add_window(state.x, op.windows[step % phases, wheel], op.window_start[wheel], force, lanes)
         if joints.joints > 0:
             open_joints(joints, joint_state, step, state.x, state.force, lanes)
-            advance_joints(k, joint_state, lanes)
+            advance_joints(k, joints, joint_state, step, lanes)
         for lane in range(eta.shape[2]):
             for wheel in range(WHEELS):
                 out[s, lane, wheel] = state.force[wheel, lane]
-            _record_track(k, op, state, lane, out[s, lane])
-            if joints.joints > 0:
-                _record_joints(k, op, joints, joint_state, step, lane, out[s, lane])
+            record_track(k, sensors, op, state, lane, out[s, lane])
+            record_joints(k, sensors, op, joints, state, joint_state, step, lane, out[s, lane])
+        record_pads(k, sensors, joints, state, joint_state, step, pads, out[s], lanes)

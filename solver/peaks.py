@@ -12,7 +12,9 @@ from solver.simulate import Response
 from solver.vehicle import static_wheel_load
 
 # Quantities whose peak is their maximum; of the others it is the largest magnitude.
-_ONE_SIDED = frozenset({"wheel_rail_force", "wheel_rail_force_20hz", "wheel_unloading", "contact_loss", "pad_force"})
+_ONE_SIDED = frozenset(
+    {"wheel_rail_force", "wheel_rail_force_20hz", "wheel_unloading", "contact_loss", "pad_force", "pad_uplift"}
+)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,9 +1,8 @@
 """The step's operator at every phase: periodic factors and short windows instead of whole matrices.
 
-Away from the ends the matrix repeats from pad to pad, and after a few cells so do its factors, to rounding. A
-phase therefore keeps the factors of the first cells behind the absorbing end, the last of which serves the
-whole length to the other end, and of the first cells of that end; the rest of both ends does not know the
-phase. The inverse is local as well: what a wheel's force does within one step is kept as a short window.
+The matrix repeats from pad to pad, and after a few cells so do its factors, to rounding. A phase therefore keeps
+the factors of the first cells, the last of which serves the whole length. The inverse is local as well: what a
+wheel's force does within one step is kept as a short window.
 """
 
 from dataclasses import dataclass
@@ -55,34 +54,23 @@ def periodic_operator(model: TrackModel, scheme: Integrator, wheels: Array) -> P
         Positions of the wheels, m.
     """
     transition = 8
-    while (blocks := _blocks(model, scheme, transition)) is None:
+    while (factors := _blocks(model, scheme, transition)) is None:
         transition += 4
-    table = _block_table(model, transition)
+    phases, kept = factors.shape[:2]
+    table = np.arange(phases)[:, None] * kept + np.minimum(np.arange(model.cells), kept - 1)
+    blocks = factors.reshape(phases * kept, *factors.shape[2:])
     return PeriodicOperator(blocks, table, *_windows(model, wheels, blocks, table))
 
 
 def _blocks(model: TrackModel, scheme: Integrator, transition: int) -> Array | None:
-    """Factors in the order of :func:`_block_table`, or None if ``transition`` cells do not make them periodic."""
-    ends, interior = model.absorbing_cells, model.cells - 2 * model.absorbing_cells
-    own = min(transition, interior)
-    cells = np.r_[: ends + own, model.cells - ends : model.cells]
-    rows = NODE * model.case.numerics.elements_per_pad
-    bare = model.band(cells, scheme.inertia, scheme.damping)
-    from_right = min(transition, ends)
-    kept = np.r_[ends : ends + own + from_right]
-    blocks = np.empty((2 * ends - from_right + len(kept) * model.case.phases, rows, FACTOR_COLUMNS))
-    for phase in range(model.case.phases):
-        band = bare.copy()
-        model.add_pads(band, cells, phase, scheme.damping)
-        factors = factorise(band).reshape(-1, rows, FACTOR_COLUMNS)
-        if phase == 0:
-            blocks[:ends] = factors[:ends]
-            blocks[ends : 2 * ends - from_right] = factors[ends + own + from_right :]
-        first = 2 * ends - from_right + phase * len(kept)
-        blocks[first : first + len(kept)] = factors[kept]
-        if own < interior and not _alike(factors[ends + own - 1], factors[ends + own - 2]):
-            return None
-        if from_right < ends and not _alike(factors[ends + own + from_right], blocks[ends]):
+    """Factors (phases, cells, rows, 19) of the first cells, or None if so many do not make them periodic."""
+    rows, phases = NODE * model.case.numerics.elements_per_pad, model.case.phases
+    kept = min(transition, model.cells)
+    blocks = np.empty((phases, kept, rows, FACTOR_COLUMNS))
+    for phase in range(phases):
+        band = model.band(min(kept + 1, model.cells), phase, scheme.inertia, scheme.damping)
+        blocks[phase] = factorise(band)[: kept * rows].reshape(kept, rows, FACTOR_COLUMNS)
+        if kept < model.cells and not _alike(blocks[phase, -1], blocks[phase, -2]):
             return None
     return blocks
 
@@ -90,21 +78,6 @@ def _blocks(model: TrackModel, scheme: Integrator, transition: int) -> Array | N
 def _alike(block: Array, other: Array) -> bool:
     scale = np.abs(block).max(axis=0)
     return bool(np.all(np.abs(block - other) <= FACTOR_TOLERANCE * scale))
-
-
-def _block_table(model: TrackModel, transition: int) -> Array:
-    """Which block serves each cell at each phase, shape (phases, cells)."""
-    ends, interior = model.absorbing_cells, model.cells - 2 * model.absorbing_cells
-    own, from_right = min(transition, interior), min(transition, ends)
-    fixed = 2 * ends - from_right
-    phase = np.arange(model.case.phases)[:, None]
-    moving = (
-        fixed
-        + phase * (own + from_right)
-        + np.r_[np.minimum(np.arange(interior), own - 1), own + np.arange(from_right)]
-    )
-    still = np.broadcast_to(np.arange(fixed), (len(phase), fixed))
-    return np.ascontiguousarray(np.hstack([still[:, :ends], moving, still[:, ends:]]))
 
 
 def _windows(model: TrackModel, wheels: Array, blocks: Array, table: Array) -> tuple[Array, Array, Array]:

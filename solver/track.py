@@ -2,9 +2,8 @@
 
 Position ``r = x - V t`` (Eq. 5 of the article) runs forwards from the vehicle's centre. Seen from this frame
 ``d/dt`` becomes ``d/dt - V d/dr`` for every beam and damper (Eqs. 6-8), and the pads walk backwards through the mesh
-by one spacing every ``phases`` steps. The mesh is cut into cells of one pad spacing. In the cells of the two
-absorbing ends the pads are spread evenly and the roadbed gains damping, so that these ends do not depend on
-the phase.
+by one spacing every ``phases`` steps. The mesh is cut into cells of one pad spacing, all alike. In its two ends
+every step takes away a part of the velocity, so that waves do not come back.
 
 Unknowns: (w, w', z, z', y, y') at every node, ordered by node. The first node is clamped, the one after the last
 cell too and left out.
@@ -58,19 +57,19 @@ class TrackModel:
         first_wheel = vehicle.half_bogie_distance + vehicle.half_wheelbase
         return first_wheel - self.wheel_cell * spacing - self.case.numerics.mesh_offset * self.element.length
 
-    @cached_property
-    def absorption(self) -> Array:
-        """Roadbed damping added in each element, growing with the cube of the way into an end, N s/m^2."""
-        per_cell = self.case.numerics.elements_per_pad
-        depth = self.absorbing_cells * per_cell
-        rise = ((np.arange(depth) + 0.5) / depth) ** 3 * self.case.numerics.absorbing_damping
-        return np.concatenate([rise[::-1], np.zeros(self.cells * per_cell - 2 * depth), rise])
+    def absorption(self, step: float) -> Array:
+        """What a step (s) leaves of the velocity at every node, and its slope (1/m), shape (nodes, 2).
 
-    @cached_property
-    def spread_pads(self) -> Array:
-        """Whether a cell has its pad spread evenly over its length."""
-        cell = np.arange(self.cells)
-        return (cell < self.absorbing_cells) | (cell >= self.cells - self.absorbing_cells)
+        The rate at which velocity is lost rises with the cube of the way into an end.
+        """
+        t, per_cell = self.case.track, self.case.numerics.elements_per_pad
+        node, depth = np.arange(self.cells * per_cell), self.absorbing_cells * per_cell
+        rate = self.case.numerics.absorbing_damping / (t.rail_mass + t.slab_mass + t.base_mass)
+        ahead = node >= self.cells * per_cell / 2
+        way = np.clip(1 - np.where(ahead, self.cells * per_cell - node, node) / depth, 0, 1)
+        left = np.exp(-rate * step * way**3)
+        slope = -rate * step * 3 * way**2 / (depth * self.element.length) * left
+        return np.stack([left, np.where(ahead, slope, -slope)], axis=1)
 
     def locate(self, position: float) -> tuple[int, float]:
         """Element that holds a position, and where in it, 0 <= xi < 1."""
@@ -120,61 +119,47 @@ class TrackModel:
         stiff = (t.pad_stiffness + damping_factor * t.pad_damping) * np.outer(n, n)
         return stiff - t.pad_damping * self.case.speed * np.outer(n, slope)
 
-    def _element_matrices(self, cells: Array, inertia_factor: float, damping_factor: float) -> Array:
-        """Element matrices (elements, 12, 12) of some cells without their pads."""
+    def _element_matrix(self, inertia_factor: float, damping_factor: float) -> Array:
+        """The matrix (12, 12) that all elements share, without pads."""
         t, e, speed = self.case.track, self.element, self.case.speed
-        beams = (
-            (t.rail_mass, t.rail_elastic_modulus * t.rail_second_moment),
-            (t.slab_mass, t.slab_elastic_modulus * t.slab_second_moment),
-            (t.base_mass, t.base_elastic_modulus * t.base_second_moment),
-        )
-        common, spread, absorbing = np.zeros((3, 2 * NODE, 2 * NODE))
-        for beam, (mass, bending_stiffness) in enumerate(beams):
-            common[np.ix_(*2 * [element_unknowns(beam)])] += (
+        matrix = np.zeros((2 * NODE, 2 * NODE))
+        for beam, mass, bending_stiffness in (
+            (RAIL, t.rail_mass, t.rail_elastic_modulus * t.rail_second_moment),
+            (SLAB, t.slab_mass, t.slab_elastic_modulus * t.slab_second_moment),
+            (BASE, t.base_mass, t.base_elastic_modulus * t.base_second_moment),
+        ):
+            matrix[np.ix_(*2 * [element_unknowns(beam)])] += (
                 mass * (inertia_factor * e.mass - damping_factor * speed * e.convection - speed**2 * e.stretch)
                 + bending_stiffness * e.bending
             )
-        couple(common, SLAB, BASE, self.layer(t.mortar_stiffness, t.mortar_damping, damping_factor))
+        couple(matrix, SLAB, BASE, self.layer(t.mortar_stiffness, t.mortar_damping, damping_factor))
         base = np.ix_(*2 * [element_unknowns(BASE)])
-        common[base] += self.layer(t.roadbed_stiffness, t.roadbed_damping, damping_factor)
-        absorbing[base] += self.layer(0.0, 1.0, damping_factor)
-        even = (t.pad_stiffness / t.pad_spacing, t.pad_damping / t.pad_spacing)
-        couple(spread, RAIL, SLAB, self.layer(*even, damping_factor))
-        per_cell = self.case.numerics.elements_per_pad
-        extra = self.absorption.reshape(self.cells, per_cell)[cells].ravel()
-        is_spread = np.repeat(self.spread_pads[cells], per_cell)
-        return common + extra[:, None, None] * absorbing + is_spread[:, None, None] * spread
+        matrix[base] += self.layer(t.roadbed_stiffness, t.roadbed_damping, damping_factor)
+        return matrix
 
-    def band(self, cells: Array, inertia_factor: float = 0.0, damping_factor: float = 0.0) -> Array:
-        """``inertia_factor * M + damping_factor * C + K`` of some cells in a row, without pads.
+    def band(self, cells: int, phase: int, inertia_factor: float = 0.0, damping_factor: float = 0.0) -> Array:
+        """``inertia_factor * M + damping_factor * C + K`` of the track's first cells at a phase.
 
         Returns
         -------
         ndarray, shape (unknowns, 19)
-            Entry (i, j) in ``[i, 9 + j - i]``; first node clamped if it is the track's first.
+            Entry (i, j) in ``[i, 9 + j - i]``; the first node is clamped.
         """
-        elements = self._element_matrices(cells, inertia_factor, damping_factor)
-        n = len(elements)
-        band = np.zeros((NODE * (n + 1), 2 * HALF_BANDWIDTH + 1))
-        for i in range(2 * NODE):
-            for j in range(2 * NODE):
-                if abs(j - i) <= HALF_BANDWIDTH:
-                    band[i : i + NODE * n : NODE, HALF_BANDWIDTH + j - i] += elements[:, i, j]
-        if cells[0] == 0:
-            clamp_first_node(band)
-        return band[:-NODE]
-
-    def add_pads(self, band: Array, cells: Array, phase: int, damping_factor: float = 0.0) -> None:
-        """Add the pads of a phase to a :meth:`band` of the same cells."""
+        per_cell = self.case.numerics.elements_per_pad
         element, xi = self.pad_location(phase)
         pad = np.zeros((2 * NODE, 2 * NODE))
         couple(pad, RAIL, SLAB, self.pad(xi, damping_factor))
-        per_cell = self.case.numerics.elements_per_pad
-        first = NODE * (np.flatnonzero(~self.spread_pads[cells]) * per_cell + element)
-        for i, j in zip(*np.nonzero(pad), strict=True):
-            rows = first + i
-            inside = (rows < len(band)) & (first + j < len(band))
-            band[rows[inside], HALF_BANDWIDTH + j - i] += pad[i, j]
+        size = NODE * cells * per_cell
+        band = np.zeros((size + NODE, 2 * HALF_BANDWIDTH + 1))
+        for matrix, first, every in (
+            (self._element_matrix(inertia_factor, damping_factor), 0, NODE),
+            (pad, NODE * element, NODE * per_cell),
+        ):
+            for i, j in zip(*np.nonzero(matrix), strict=True):
+                rows = slice(first + i, size + i, every)
+                band[rows, HALF_BANDWIDTH + j - i] += matrix[i, j]
+        clamp_first_node(band)
+        return band[:-NODE]
 
     def point(self, position: float, beam: int, derivative: int = 0) -> tuple[int, Array]:
         """First row and weights (12,) that give a beam's value or derivative at a position."""
@@ -193,9 +178,7 @@ class TrackModel:
 
     def steady_response(self, phase: int, loads: Array) -> Array:
         """Displacements that stand still in the moving frame while the pads are held at a phase."""
-        cells = np.arange(self.cells)
-        band = self.band(cells)
-        self.add_pads(band, cells, phase)
+        band = self.band(self.cells, phase)
         upper_first = np.zeros((2 * HALF_BANDWIDTH + 1, len(band)))
         for offset in range(-HALF_BANDWIDTH, HALF_BANDWIDTH + 1):
             diagonal = band[max(0, -offset) : len(band) - max(0, offset), HALF_BANDWIDTH + offset]

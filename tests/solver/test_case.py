@@ -121,7 +121,10 @@ def test_every_number_of_the_model_has_bounds_on_both_sides():
         ({"speed": 601 / 3.6}, "speed_m_per_s"),
         ({"slab": "floating"}, "slab"),
         ({"numerics": Numerics(track_length=90.0, absorbing_length=40.0)}, "numerics.track_length_m"),
-        ({"slab": "discontinuous"}, "numerics.track_length_m"),
+        (
+            {"slab": "discontinuous", "track": replace(TRACKS["crts2"].values, pad_spacing=1.2)},
+            "numerics.track_length_m",
+        ),
         ({"numerics": Numerics(time_step=1e-6)}, "numerics.time_step_s"),
         ({"numerics": Numerics(time_step=1e-3), "speed": 100.0}, "numerics.time_step_s"),
         (

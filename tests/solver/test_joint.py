@@ -45,9 +45,7 @@ def test_elimination_is_the_solution_of_the_whole_system(discontinuous, pads_per
     block = Block([discontinuous(Joint(pads_per_slab=pads_per_slab, position=position))])
     c, state, k, step = block.joints, block.joint_state, block.scheme, 37
     model = TrackModel(block.case)
-    cells = np.arange(model.cells)
-    band = model.band(cells, k.inertia, k.damping)
-    model.add_pads(band, cells, step % block.case.phases, k.damping)
+    band = model.band(model.cells, step % block.case.phases, k.inertia, k.damping)
     diagonals = [band[max(0, -i) : len(band) - max(0, i), 9 + i] for i in range(-9, 10)]
     track = sparse.diags_array(diagonals, offsets=range(-9, 10)).tolil()
     blocks = JointModel(model).blocks(step % block.case.phases)

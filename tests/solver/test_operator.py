@@ -8,7 +8,7 @@ from scipy.sparse.linalg import spsolve
 from solver.banded import factorise, substitute
 from solver.case import Numerics
 from solver.integrator import integrator
-from solver.kernels import advance, stencils
+from solver.kernels import absorb, advance, stencils
 from solver.periodic import periodic_operator
 from solver.track import RAIL, TrackModel
 from solver.vehicle import wheel_positions
@@ -23,10 +23,7 @@ def sparse_from(band: np.ndarray) -> sparse.csc_array:
 
 
 def matrix(model: TrackModel, phase: int, inertia: float, damping: float) -> sparse.csc_array:
-    cells = np.arange(model.cells)
-    band = model.band(cells, inertia, damping)
-    model.add_pads(band, cells, phase, damping)
-    return sparse_from(band)
+    return sparse_from(model.band(model.cells, phase, inertia, damping))
 
 
 @pytest.mark.parametrize("width", WIDTHS)
@@ -99,7 +96,30 @@ def test_advance_is_the_integrator_on_the_whole_matrices(make_case, width):
     pu, pv = x + k.step * velocity + k.drift * acceleration, velocity + k.kick * acceleration
     expected = mass @ (k.inertia * pu - k.alpha * acceleration) + damping @ (k.damping * pu - pv)
     expected[:6] = 0
-    advance(k, stencils(model), phase, x, u, v, x, (0.0,) * width)
+    advance(k, stencils(model, k.step), phase, x, u, v, x, (0.0,) * width)
     np.testing.assert_allclose(u, pu, atol=1e-13)
     np.testing.assert_allclose(v, pv, atol=1e-12)
     np.testing.assert_allclose(x, expected, atol=1e-12 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_ends_take_away_velocity_as_a_field(make_case, width):
+    """Nodal slopes follow: what is left of a velocity is the field times what a step leaves at each place."""
+    case = make_case()
+    model, k = TrackModel(case), integrator(case.time_step, 0.8)
+    node = np.arange(model.cells * case.numerics.elements_per_pad)
+    left, slope = model.absorption(k.step).T
+    length = model.element.length
+    np.testing.assert_allclose(slope[1:-1], (left[2:] - left[:-2]) / (2 * length), atol=2e-4)
+    assert left[0] < 0.9
+    assert left[-1] < 0.9
+    assert (left[len(node) // 3 : 2 * len(node) // 3] == 1).all()
+    x, u, v = np.random.default_rng(width).standard_normal((3, 6 * len(node), width))
+    u = x + 1e-9 * u
+    velocity = v + k.velocity * k.acceleration * (x - u)
+    absorb(k, stencils(model, k.step), x, u, v, (0.0,) * width)
+    after = (v + k.velocity * k.acceleration * (x - u)).reshape(len(node), 3, 2, width)
+    before = velocity.reshape(after.shape)
+    np.testing.assert_allclose(after[:, :, 0], left[:, None, None] * before[:, :, 0], atol=1e-12)
+    expected = left[:, None, None] * before[:, :, 1] + slope[:, None, None] * before[:, :, 0]
+    np.testing.assert_allclose(after[:, :, 1], expected, atol=1e-12)
