@@ -61,8 +61,15 @@ class TrackFixedResponse:
         Under the first wheelset, m; the slab's on that side of a joint where the wheelset is.
     rail_acceleration, slab_acceleration, base_acceleration : ndarray, shape (n,)
         Of the material under the first wheelset, m/s^2.
+    roadbed_pressure : ndarray, shape (n,)
+        Reaction of the roadbed under the first wheelset, N/m.
+    pad_force, pad_uplift : ndarray, shape (n,)
+        Largest compression and largest pull of any pad, N.
     joint_jump : ndarray, shape (n,)
         Displacement of the slab ahead minus that of the slab behind, m, at the joint where its magnitude is largest.
+    slab_moment : ndarray, shape (n,)
+        Of the moments at the pads next to joints that with the largest magnitude, N m; positive where the underside is
+        stretched.
     """
 
     time: Array
@@ -74,7 +81,11 @@ class TrackFixedResponse:
     rail_acceleration: Array
     slab_acceleration: Array
     base_acceleration: Array
+    roadbed_pressure: Array
+    pad_force: Array
+    pad_uplift: Array
     joint_jump: Array
+    slab_moment: Array
 
 
 def solve_track_fixed(case: Case) -> TrackFixedResponse:
@@ -100,7 +111,7 @@ def solve_track_fixed(case: Case) -> TrackFixedResponse:
     wheels = numerics.start + case.speed * elapsed + behind[:, None]
 
     march = _March(case, numerics.start + behind)
-    records = np.empty((window, 11))
+    records = np.empty((window, 15))
     for i in range(settle + window):
         march.step(wheels[:, i], eta[:, i])
         if i >= settle:
@@ -116,7 +127,11 @@ def solve_track_fixed(case: Case) -> TrackFixedResponse:
         rail_acceleration=columns[7],
         slab_acceleration=columns[8],
         base_acceleration=columns[9],
-        joint_jump=columns[10],
+        roadbed_pressure=columns[10],
+        pad_force=columns[11],
+        pad_uplift=columns[12],
+        joint_jump=columns[13],
+        slab_moment=columns[14],
     )
 
 
@@ -224,7 +239,7 @@ class _March:
     """Track and vehicle, from static equilibrium with the wheels at the given positions (m) on an even rail."""
 
     def __init__(self, case: Case, wheels: Array) -> None:
-        self.mesh, self.scheme = build_mesh(case), _Scheme(case.numerics.time_step)
+        self.mesh, self.scheme, self.properties = build_mesh(case), _Scheme(case.numerics.time_step), case.track
         self.elements, self.hertz = self.mesh.elements(), hertz_constant(case.vehicle)
         self.origin = self._origin_for(wheels)
         self._locate(wheels)
@@ -320,9 +335,43 @@ class _March:
         vehicle.correct()
 
     def record(self) -> Array:
-        """What a response holds at the end of the step (11,): forces, displacements, accelerations, largest jump."""
+        """What a response holds at the end of the step (15,)."""
         under, shape = np.array([field[self.element[0]] for field in self.elements]), self.shape[0]
         ahead, behind = (side[self.mesh.joints] for side in (self.mesh.slab_ahead, self.mesh.slab_behind))
-        jumps = self.track.u[ahead] - self.track.u[behind]
-        jump = jumps[np.argmax(np.abs(jumps))] if len(jumps) else 0.0
-        return np.array([*self.force, *self.track.u[under] @ shape, *self.track.acceleration(under) @ shape, jump])
+        t, (_, v, u) = self.properties, self.track.state
+        roadbed = (t.roadbed_stiffness * u[under[2]] + t.roadbed_damping * v[under[2]]) @ shape
+        pads = self._pad_forces()
+        return np.array(
+            [
+                *self.force,
+                *u[under] @ shape,
+                *self.track.acceleration(under) @ shape,
+                roadbed,
+                pads.max(),
+                -min(pads.min(), 0.0),
+                _largest(u[ahead] - u[behind]),
+                _largest(self._moments_next_to_joints()),
+            ]
+        )
+
+    def _pad_forces(self) -> Array:
+        t, (_, v, u) = self.properties, self.track.state
+        rail, slab = self.mesh.rail[self.mesh.pads], self.mesh.slab_ahead[self.mesh.pads]
+        return t.pad_stiffness * (u[rail] - u[slab]) + t.pad_damping * (v[rail] - v[slab])
+
+    def _moments_next_to_joints(self) -> Array:
+        """Slab moments at the pads on both sides of every joint, means of those in the elements that meet there."""
+        mesh, t, length = self.mesh, self.properties, np.diff(self.mesh.x)
+        pad = np.searchsorted(mesh.pads, mesh.joints)
+        node = np.concatenate([mesh.pads[pad - 1], mesh.pads[pad[pad < len(mesh.pads)]]])
+        node = node[(node > 0) & (node < len(length))]
+        curvature = np.zeros(len(node))
+        for element, at in ((node - 1, [6, 2, -6, 4]), (node, [-6, -4, 6, -2])):
+            scale = np.stack([np.ones(len(node)), length[element]] * 2, axis=1) / length[element, None] ** 2
+            curvature += (self.track.u[self.elements[1][element]] * scale * at).sum(axis=1) / 2
+        return -t.slab_elastic_modulus * t.slab_second_moment * curvature
+
+
+def _largest(values: Array) -> float:
+    """The value with the largest magnitude; zero if there is none."""
+    return float(values[np.argmax(np.abs(values))]) if len(values) else 0.0
