@@ -11,11 +11,13 @@ from scipy.signal import butter, sosfiltfilt
 
 from solver.arrays import Array
 
-FILTER_ORDER = 4  # of the filter that runs forwards and backwards
+FILTER_ORDER = 4  # at every edge of the filter that runs forwards and backwards
 FORCE_CUTOFF_HZ = 20.0
 COMFORT_BAND_HZ = (0.4, 10.0)
 QUANTILE = 0.9985
 SPERLING_WINDOW_S = 5.0
+SPERLING_BAND_HZ = (0.5, 80.0)
+CONTACT_LOST_N = 0.0  # contact is lost where its force is not above this
 
 
 def low_pass(values: Array, step: float) -> Array:
@@ -31,9 +33,13 @@ def comfort_band(values: Array, step: float) -> Array:
 
 
 def _filtered(values: Array, step: float, sections: Array, slowest: float) -> Array:
-    margin = min(len(values) - 1, round(1 / (slowest * step)))  # a period of the slowest edge
     # Mirrored: continued oddly, a record that ends on a crest would drag the mean up to it.
-    return sosfiltfilt(sections, values, padtype="even", padlen=margin)
+    return sosfiltfilt(sections, values, padtype="even", padlen=mirrored(len(values), step, slowest))
+
+
+def mirrored(samples: int, step: float, slowest: float) -> int:
+    """How many samples are mirrored at either edge of a record: a period of the filter's slowest edge (Hz)."""
+    return min(samples - 1, round(1 / (slowest * step)))
 
 
 def _sperling_weight(frequency: Array) -> Array:
@@ -55,19 +61,30 @@ def sperling(acceleration: Array, step: float) -> Array:
     -------
     ndarray, shape (windows,)
     """
-    length = min(len(acceleration), round(SPERLING_WINDOW_S / step))
-    windows = acceleration[: len(acceleration) // length * length].reshape(-1, length)
+    length, count = sperling_windows(len(acceleration), step)
+    windows = acceleration[: count * length].reshape(count, length)
     amplitude = 2 / length * np.abs(np.fft.rfft(windows, axis=1))
     frequency = np.fft.rfftfreq(length, step)
-    counted = (frequency >= 0.5) & (frequency <= 80)
+    counted = (frequency >= SPERLING_BAND_HZ[0]) & (frequency <= SPERLING_BAND_HZ[1])
     f = frequency[counted]
     tenth_powers = 3.57**10 * amplitude[:, counted] ** 3 / f * _sperling_weight(f)
     return np.sum(tenth_powers, axis=1) ** 0.1
 
 
+def sperling_windows(samples: int, step: float) -> tuple[int, int]:
+    """Samples of each of Sperling's windows, and how many windows a record holds."""
+    length = min(samples, round(SPERLING_WINDOW_S / step))
+    return length, samples // length
+
+
+def contact_lost(force: Array) -> Array:
+    """Where contact is lost; bool."""
+    return force <= CONTACT_LOST_N
+
+
 def contact_losses(force: Array, step: float) -> Array:
     """Durations of the intervals without contact, s; at least one value, zero where contact is never lost."""
-    lost = np.r_[False, force <= 0, False]
+    lost = np.r_[False, contact_lost(force), False]
     edges = np.flatnonzero(lost[1:] != lost[:-1])
     durations = (edges[1::2] - edges[::2]) * step
     return durations if len(durations) else np.zeros(1)

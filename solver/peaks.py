@@ -65,7 +65,7 @@ def _histories(response: Response) -> Iterator[tuple[Channel, Array]]:
         if channel.quantity == "wheel_rail_force":
             yield replace(channel, quantity="wheel_rail_force_20hz"), indices.low_pass(values, step)
             yield replace(channel, quantity="wheel_unloading", unit="1"), (load - values) / load
-            yield replace(channel, quantity="contact_loss", unit="1"), (values <= 0).astype(float)
+            yield replace(channel, quantity="contact_loss", unit="1"), indices.contact_lost(values).astype(float)
         elif channel.quantity == "car_body_acceleration":
             yield replace(channel, quantity="car_body_acceleration_comfort"), indices.comfort_band(values, step)
 

@@ -19,6 +19,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from solver.case import Case
 from solver.peaks import peaks
+from solver.processing import processing
 from solver.simulate import Progress, Response, SolverError, solve
 from worker import lease
 from worker.heartbeat import Heartbeat, StoppedError
@@ -78,8 +79,8 @@ class Worker:
             if isinstance(result, SolverError):  # the same again, however often it were tried
                 return partial(lease.fail, held=held, code=result.code, detail=str(result))
             rows, history = [peak_at_boundary(peak) for peak in peaks(result)], self._keep_history(held, result)
-            cpu_s = time.process_time() - began
-            return partial(lease.succeed, held=held, peaks=rows, history=history, cpu_s=cpu_s)
+            cpu_s, record = time.process_time() - began, processing(result)
+            return partial(lease.succeed, held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
         except StoppedError:
             return partial(lease.release, held=held)
         except lease.LeaseLostError:

@@ -1,14 +1,18 @@
 """Time histories as one NumPy archive."""
 
 import io
+import json
 
 import numpy as np
 
+from solver.processing import processing
 from solver.simulate import Response
 
 
 def archive(response: Response) -> bytes:
-    """The histories of a response, single precision, with quantity, position and unit of each row of ``values``."""
+    """The histories of a response, single precision, with quantity, position and unit of each row of ``values``; in
+    ``processing``, as JSON, their conventions and how peaks are derived from them.
+    """
     file = io.BytesIO()
     np.savez_compressed(
         file,
@@ -18,5 +22,6 @@ def archive(response: Response) -> bytes:
         quantity=np.array([channel.quantity for channel in response.channels]),
         position=np.array([channel.position for channel in response.channels]),
         unit=np.array([channel.unit for channel in response.channels]),
+        processing=np.array(json.dumps(processing(response))),
     )
     return file.getvalue()

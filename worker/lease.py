@@ -92,7 +92,12 @@ def wants_history(session: Session, case_id: int) -> bool:
 
 
 def succeed(
-    session: Session, held: Claim, peaks: Sequence[dict[str, Any]], history: dict[str, Any] | None, cpu_s: float
+    session: Session,
+    held: Claim,
+    peaks: Sequence[dict[str, Any]],
+    processing: dict[str, Any],
+    history: dict[str, Any] | None,
+    cpu_s: float,
 ) -> bool:
     """Write down all that came of a case. False, and nothing is written, if the lease is lost.
 
@@ -104,6 +109,8 @@ def succeed(
         The case.
     peaks : sequence of dict
         Columns of the table ``peak``.
+    processing : dict
+        How the peaks were derived.
     history : dict, optional
         Columns of the table ``history``, of an object that is already stored.
     cpu_s : float
@@ -113,7 +120,7 @@ def succeed(
         return False
     if history is None and wants_history(session, held.case_id):  # since a moment ago: computed once more
         return release(session, held)
-    _end(session, held, "succeeded", {"progress": 1.0, "cpu_s": cpu_s, "error": None})
+    _end(session, held, "succeeded", {"progress": 1.0, "cpu_s": cpu_s, "processing": processing, "error": None})
     session.execute(delete(Peak).where(Peak.case_id == held.case_id))
     session.add_all(Peak(case_id=held.case_id, **peak) for peak in peaks)
     if history is not None:

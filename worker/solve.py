@@ -8,6 +8,7 @@ from rich.progress import Progress
 from app.console import FAILED, WRONG_USAGE, err, fail, out, peaks_table
 from solver.case import Case
 from solver.peaks import peaks
+from solver.processing import processing
 from solver.simulate import Response, SolverError, solve
 from solver.version import SOLVER_VERSION
 from worker.history import archive
@@ -34,6 +35,6 @@ def run(case: Case, histories: Path | None, as_json: bool) -> None:
     rows = [peak_at_boundary(peak) for peak in peaks(response)]
     if as_json:
         digest = {"digest": case.digest(), "solver_version": SOLVER_VERSION, "time_step_s": response.time_step}
-        out.print_json(data=digest | {"peaks": rows})
+        out.print_json(data=digest | {"processing": processing(response), "peaks": rows})
     else:
         out.print(peaks_table(rows))

@@ -85,7 +85,8 @@ def _lock_known(session: Session, digests: list[str]) -> Iterable[Row[Any]]:
 
 
 def _revive(session: Session, ids: list[int]) -> None:
-    anew = {"state": "queued", "attempt": 0, "progress": 0.0, "error": None, "started_at": None, "finished_at": None}
+    nothing = dict.fromkeys(("error", "processing", "started_at", "finished_at"))
+    anew = {"state": "queued", "attempt": 0, "progress": 0.0, **nothing}
     for batch in _batches(ids):
         session.execute(update(Case).where(Case.id.in_(batch)).values(anew))
 

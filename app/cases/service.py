@@ -44,7 +44,8 @@ def get(session: Session, case_id: int) -> CaseDetail:
     history = session.get(History, case_id)
     summary = CaseSummary.model_validate(case)
     stored = None if history is None else StoredHistory.model_validate(history)
-    return CaseDetail(**dict(summary), inputs=case_file(case.inputs), history=stored)
+    inputs = case_file(case.inputs)
+    return CaseDetail(**dict(summary), inputs=inputs, processing=case.processing, history=stored)
 
 
 def find_history(session: Session, case_id: int) -> History:

@@ -64,6 +64,10 @@ class CaseDetail(CaseSummary):
     """A case with everything that went into it."""
 
     inputs: dict[str, Any] = Field(description="The case as `tracksweep solve` takes it, every value spelled out.")
+    processing: dict[str, Any] | None = Field(
+        description="How its peaks were derived: sampling, window, filters, indices, conventions. Null for a case that "
+        "has not succeeded or was computed before this was stored."
+    )
     history: StoredHistory | None
 
 

@@ -91,6 +91,7 @@ class Case(Base):
     progress: Mapped[float] = mapped_column(default=0.0)
     error: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))  # {"code", "detail"}
     cpu_s: Mapped[float | None]
+    processing: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))  # how its peaks were derived
     created_at: Mapped[float] = mapped_column(default=Clock())
     started_at: Mapped[float | None]
     finished_at: Mapped[float | None]

@@ -32,7 +32,7 @@ def peaks(client: httpx.Client, database: Database, study: dict[str, Any]) -> li
         while (held := lease.claim(session, "test", 15.0)) is not None:
             number += 1
             found = [peak("wheel_rail_force", 1e5 + number), peak("pad_force", 3e4), peak("pad_force", 2e4, "middle")]
-            assert lease.succeed(session, held, peaks=found, history=None, cpu_s=1.0)
+            assert lease.succeed(session, held, peaks=found, processing={}, history=None, cpu_s=1.0)
     return walk(client)
 
 

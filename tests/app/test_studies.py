@@ -26,7 +26,7 @@ def finish(database: Database, *, fail: bool = False) -> int:
         if fail:
             assert lease.fail(session, held, "diverged", "beyond all bounds")
         else:
-            assert lease.succeed(session, held, peaks=[], history=None, cpu_s=1.5)
+            assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
     return held.case_id
 
 
@@ -62,7 +62,7 @@ def test_a_study_comes_to_its_end(client: httpx.Client, database: Database, stud
     assert (running["state"], running["progress"]) == ("running", 0.125)
     assert running["finish"] is None
     with database.write() as session:
-        assert lease.succeed(session, held, peaks=[], history=None, cpu_s=1.5)
+        assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
     assert datetime.fromisoformat(client.get(url).json()["finish"]["expected"]).tzinfo is not None
     for _ in range(3):
         finish(database)
@@ -105,7 +105,7 @@ def test_cases_in_flight_are_shared(client: httpx.Client, database: Database, st
     second = client.post("/v1/studies", json=study).headers["location"]
     assert count(database, Case) == 4
     with database.write() as session:
-        assert lease.succeed(session, held, peaks=[], history=None, cpu_s=1.0)
+        assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.0)
     for _ in range(3):
         finish(database)
     assert [client.get(url).json()["state"] for url in (first, second)] == ["succeeded"] * 2
@@ -119,6 +119,22 @@ def test_studies_sent_at_once_share_their_cases(
         answers = list(pool.map(lambda n: client.post("/v1/studies", json=study | {"name": f"{n}"}), range(8)))
     assert [answer.status_code for answer in answers] == [201] * 8
     assert (count(database, Study), count(database, Case)) == (8, 4)
+
+
+def test_a_case_says_how_its_peaks_were_derived_once_it_has_some(
+    client: httpx.Client, database: Database, study: dict[str, Any]
+) -> None:
+    client.post("/v1/studies", json=study)
+    with database.write() as session:
+        held = lease.claim(session, "test", 15.0)
+    assert held is not None
+    assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] is None
+    record = {"sampling_step_s": 1e-4, "sperling_index": {"band_hz": [0.5, 80.0]}}
+    with database.write() as session:
+        assert lease.succeed(session, held, peaks=[], processing=record, history=None, cpu_s=1.0)
+    assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] == record
+    client.post("/v1/studies", json=study | {"keep_history": True})  # to be computed once more
+    assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] is None
 
 
 def test_a_study_that_wants_histories_has_its_cases_computed_once_more(

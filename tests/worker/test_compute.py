@@ -1,6 +1,7 @@
 """What a worker makes of the cases it claims: in this process, with the real solver, on both databases."""
 
 import io
+import json
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -16,6 +17,7 @@ from app.studies import service as studies
 from app.studies.schemas import StudyDetail
 from solver import case as solver_case
 from solver.peaks import peaks
+from solver.processing import processing
 from solver.simulate import Response, solve
 from worker.compute import Worker
 
@@ -52,6 +54,7 @@ def test_a_study_is_computed(context: Context, submit: Submit, worker: Worker) -
             for one, other in zip(stored, peaks(response), strict=True):
                 assert (one.quantity, one.position, one.unit) == (other.quantity, other.position, other.unit)
                 assert (one.peak, one.rms, one.time_s) == (other.peak, other.rms, other.time)  # to the last digit
+            assert cases.get(session, row.id).processing == processing(response)
         assert all(row.cpu_s is not None and row.cpu_s > 0 for row in rows)
         assert session.scalars(select(History)).all() == []
     assert list(context.histories.keys_older_than(-60)) == []
@@ -71,6 +74,7 @@ def test_a_history_is_kept_if_asked_for(context: Context, submit: Submit, worker
         assert archive["values"].dtype == np.float32
         np.testing.assert_array_equal(archive["values"], response.values.astype(np.float32))
         assert list(archive["quantity"]) == [channel.quantity for channel in response.channels]
+        assert json.loads(str(archive["processing"])) == processing(response)
 
 
 def test_a_case_that_cannot_be_solved_fails_at_once(context: Context, submit: Submit, worker: Worker) -> None:
@@ -78,7 +82,7 @@ def test_a_case_that_cannot_be_solved_fails_at_once(context: Context, submit: Su
     submit(300, track={"pad_stiffness_n_per_m": 1e-6}, vehicle={"car_body_mass_kg": 1e6})
     assert worker.drain() == 1
     case = only_case(context)
-    assert (case.state, case.attempt) == ("failed", 1)
+    assert (case.state, case.attempt, case.processing) == ("failed", 1, None)
     assert case.error is not None
     assert case.error["code"] == "diverged"
 

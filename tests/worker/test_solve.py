@@ -8,6 +8,7 @@ import pytest
 
 from solver.case import Measured, Sum
 from solver.simulate import DivergedError
+from tests.worker.conftest import QUICK
 from worker import solve
 from worker.casefile import read_case
 
@@ -76,6 +77,14 @@ def test_a_file_that_is_missing_is_named(tmp_path: Path, capsys: pytest.CaptureF
         read_case(tmp_path / "none.json")
     assert ended.value.code == 2
     assert "none.json: No such file" in capsys.readouterr().err
+
+
+def test_json_says_how_peaks_were_derived(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case = read_case(written(tmp_path, CASE | {"numerics": QUICK}))
+    solve.run(case, histories=None, as_json=True)
+    printed = json.loads(capsys.readouterr().out)
+    assert printed["processing"]["sampling_step_s"] == printed["time_step_s"] == case.time_step
+    assert printed["processing"]["samples"] == round(QUICK["window_s"] / case.time_step)
 
 
 def test_a_case_that_cannot_be_solved_exits_with_1(

@@ -53,7 +53,7 @@ def test_orphans_are_collected(context: Context, submit: Submit, tmp_path: Path)
         held = lease.claim(session, "test", 15.0)
         assert held is not None
         history = {"key": "told/1-a.npz", "digest": "d" * 64, "size_bytes": 7}
-        assert lease.succeed(session, held, peaks=[], history=history, cpu_s=0.0)
+        assert lease.succeed(session, held, peaks=[], processing={}, history=history, cpu_s=0.0)
     with context.database.read() as session:
         assert collect_orphans(session, store) == 1
     assert sorted(store.keys_older_than(-60)) == ["fresh/1-c.npz", "told/1-a.npz"]
