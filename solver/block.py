@@ -45,7 +45,7 @@ class Block:
         case = self.case = cases[0]
         self.model = TrackModel(case)
         self.scheme = integrator(case.time_step, case.numerics.spectral_radius)
-        self.wheels = wheel_positions(case.vehicle)
+        self.wheels = self.axles()
         self.stencils = stencils(self.model, self.scheme.step)
         self.operator = _operator(self.model, self.scheme, self.wheels)
         self.sensors = sensors(self.model, self.wheels)
@@ -58,6 +58,10 @@ class Block:
         self.state = self._start()
         self.joint_state = joint_state(self.joints.joints, width)
         self.done = 0
+
+    def axles(self) -> Array:
+        """Positions of the wheelsets ahead of the vehicle's centre, m, in the order of their numbers."""
+        return wheel_positions(self.case.vehicle)
 
     @property
     def steps(self) -> int:
@@ -74,7 +78,7 @@ class Block:
         start = self.case.numerics.start + spacing
         eta = np.empty((self.steps, WHEELS, len(self.cases)))
         for lane, case in enumerate(self.cases):
-            for wheel, behind in enumerate(self.wheels - self.wheels[0]):
+            for wheel, behind in enumerate(self.wheels - self.wheels.max()):
                 eta[:, wheel, lane] = sample(case.irregularity, start + behind, spacing, self.steps)
         s = np.clip(np.arange(1, self.steps + 1) * self.case.time_step / self.case.numerics.ease_in, 0, 1)
         return eta * (s**3 * (10 - 15 * s + 6 * s**2))[:, None, None]

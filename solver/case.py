@@ -42,6 +42,7 @@ CLEARANCE = 6.0  # m of track between the outer wheels and the absorbing ends
 CLOSED_PADS = 30  # pads next to each end where joints are closed or only begin to open
 MAX_PHASES = 2000  # steps from pad to pad: each has its own factors in memory
 MIN_STEPS = 10  # steps per pad spacing and per shortest wavelength
+MIN_ELEMENTS = 6  # elements per shortest bending wave of the rail, and for a joint's shape functions to fade
 
 Slab = Literal["continuous", "discontinuous"]
 WheelTread = Literal["worn", "conical"]
@@ -170,6 +171,7 @@ class Case(Checked):
 
         self._check_domain()
         self._check_step()
+        self._check_mesh()
 
     @property
     def phases(self) -> int:
@@ -215,6 +217,20 @@ class Case(Checked):
                 "numerics.time_step_s",
                 f"must be at most {coarsest / self.speed:.3g} s at this speed to resolve pads and irregularity "
                 f"({MIN_STEPS} steps each), is {self.numerics.time_step:g} s",
+            )
+
+    def _check_mesh(self) -> None:
+        t, n = self.track, self.numerics
+        omega = 2 * math.pi * self.speed / min(t.pad_spacing, self.irregularity.shortest_wavelength)
+        wave = 2 * math.pi * (t.rail_elastic_modulus * t.rail_second_moment / t.rail_mass / omega**2) ** 0.25
+        fewest = MIN_ELEMENTS * t.pad_spacing / wave
+        if self.slab == "discontinuous":
+            fewest = max(fewest, MIN_ELEMENTS / n.joint_blending)
+        if n.elements_per_pad < fewest - 1e-9:
+            raise InvalidParameterError(
+                "numerics.elements_per_pad",
+                f"must be at least {math.ceil(fewest - 1e-9)} to resolve the bending waves of the rail and the joints "
+                f"({MIN_ELEMENTS} elements each), is {n.elements_per_pad}",
             )
 
     def to_dict(self) -> dict[str, Any]:

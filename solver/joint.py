@@ -24,8 +24,10 @@ from numpy.polynomial import Polynomial
 
 from solver.arrays import Array
 from solver.banded import substitute
+from solver.case import CLEARANCE
+from solver.errors import UnresolvedError
 from solver.integrator import Integrator
-from solver.joint_kernels import Joints, JointState
+from solver.joint_kernels import LOCKED_CELLS, Joints, JointState
 from solver.periodic import reach
 from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
 
@@ -309,7 +311,8 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
         # Open where all is periodic: where factors have settled and windows do not reach the ends of the track.
         reach_cells = -(-templates.window_lead // (NODE * per_cell)) + 1
         first = int(block_of_cell[0, -1] - block_of_cell[0, 0]) + reach_cells
-        count = max((model.cells - reach_cells - first) // joint.pads_per_slab, 0)
+        count = (model.cells - reach_cells - first) // joint.pads_per_slab
+        _require_open_joints(model, first + LOCKED_CELLS, first + count * joint.pads_per_slab - LOCKED_CELLS)
     return Joints(
         **vars(templates),
         wheel_cell=model.wheel_cell,
@@ -323,6 +326,18 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
         shear_damping=joint.shear_damping,
         kept_velocity=np.ascontiguousarray(model.absorption(scheme.step)[:, 0]),
     )
+
+
+def _require_open_joints(model: TrackModel, first: int, last: int) -> None:
+    """Refuse a step or a track with which the joints around the vehicle would not all be open between two cells."""
+    v, spacing = model.case.vehicle, model.case.track.pad_spacing
+    clearance = CLEARANCE / spacing
+    rear = model.wheel_cell - 2 * (v.half_bogie_distance + v.half_wheelbase) / spacing
+    if first > rear - clearance or last < model.wheel_cell + clearance:
+        raise UnresolvedError(
+            f"with numerics.time_step_s = {model.case.numerics.time_step:g} s joints act on each other over so great "
+            "a distance that those around the vehicle cannot all be open: a shorter step or more track is needed"
+        )
 
 
 def joint_state(joints: int, lanes: int) -> JointState:

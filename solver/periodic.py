@@ -14,7 +14,7 @@ from solver.banded import FACTOR_COLUMNS, factorise, substitute
 from solver.integrator import Integrator
 from solver.track import NODE, RAIL, TrackModel
 
-FACTOR_TOLERANCE = 1e-12  # relative change of the factors from one cell to the next that counts as periodic
+FACTOR_TOLERANCE = 1e-10  # relative change of the factors from cell to cell that counts as none, above rounding
 WINDOW_TOLERANCE = 1e-13  # part of a window's largest entry below which it is cut
 
 

@@ -40,14 +40,14 @@ class Sensors(NamedTuple):
 
 
 def sensors(model: TrackModel, wheels: Array) -> Sensors:
-    """Sensors of a track under wheels at some positions (m), front first."""
+    """Sensors of a track under wheels at some positions (m)."""
     t, numerics = model.case.track, model.case.numerics
     phases = range(model.case.phases)
     located = [model.pad_location(phase) for phase in phases]
     length = numerics.elements_per_pad * model.element.length
     beyond = max(1, round(BEYOND_M / length))
-    first = max(0, int((wheels[-1] - model.left_end) / length) - beyond)
-    last = min(model.cells - 2, int((wheels[0] - model.left_end) / length) + beyond)
+    first = max(0, int((wheels.min() - model.left_end) / length) - beyond)
+    last = min(model.cells - 2, int((wheels.max() - model.left_end) / length) + beyond)
     joints = JointModel(model)
     return Sensors(
         speed=model.case.speed,

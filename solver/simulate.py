@@ -10,20 +10,9 @@ from solver.arrays import Array
 from solver.block import MAX_LANES, Block
 from solver.case import Case
 from solver.channels import CHANNELS, JOINTS, Channel
+from solver.errors import DivergedError, SolverError
 
 CHUNK = 400  # steps between two reports of progress
-
-
-class SolverError(Exception):
-    """A case that cannot be solved. ``code`` is stable and names the reason."""
-
-    code = "solver-error"
-
-
-class DivergedError(SolverError):
-    """The response of a case grew beyond all bounds or stopped being a number."""
-
-    code = "diverged"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,9 +69,18 @@ def solve(cases: Sequence[Case], on_progress: Progress | None = None) -> list[Re
             if on_progress is not None:
                 on_progress((number + fraction) / len(blocks))
 
-        block = Block([cases[index] for index in indices])
-        outcomes.update(zip(indices, _run(block, len(indices), report), strict=True))
+        chosen = [cases[index] for index in indices]
+        outcomes.update(zip(indices, _attempt(chosen, report), strict=True))
     return [outcomes[index] for index in range(len(cases))]
+
+
+def _attempt(cases: Sequence[Case], report: Progress) -> list[Response | SolverError]:
+    """Solve the cases of a block, or say why it cannot be built."""
+    try:
+        block = Block(cases)
+    except SolverError as error:
+        return [error] * len(cases)
+    return _run(block, len(cases), report)
 
 
 def _run(block: Block, count: int, report: Progress) -> list[Response | SolverError]:

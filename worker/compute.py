@@ -18,9 +18,10 @@ from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
 from solver.case import Case
+from solver.errors import SolverError
 from solver.peaks import peaks
 from solver.processing import processing
-from solver.simulate import Progress, Response, SolverError, solve
+from solver.simulate import Progress, Response, solve
 from worker import lease
 from worker.heartbeat import Heartbeat, StoppedError
 from worker.history import archive

@@ -7,9 +7,10 @@ from rich.progress import Progress
 
 from app.console import FAILED, WRONG_USAGE, err, fail, out, peaks_table
 from solver.case import Case
+from solver.errors import SolverError
 from solver.peaks import peaks
 from solver.processing import processing
-from solver.simulate import Response, SolverError, solve
+from solver.simulate import Response, solve
 from solver.version import SOLVER_VERSION
 from worker.history import archive
 from worker.peak import peak_at_boundary

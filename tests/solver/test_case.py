@@ -126,6 +126,15 @@ def test_every_number_of_the_model_has_bounds_on_both_sides():
             "numerics.track_length_m",
         ),
         ({"numerics": Numerics(time_step=1e-6)}, "numerics.time_step_s"),
+        ({"numerics": Numerics(elements_per_pad=2), "slab": "discontinuous"}, "numerics.elements_per_pad"),
+        (
+            {"numerics": Numerics(joint_blending=0.5, elements_per_pad=11), "slab": "discontinuous"},
+            "numerics.elements_per_pad",
+        ),
+        (
+            {"irregularity": Harmonic(wavelength=0.15, amplitude=1e-4), "numerics": Numerics(elements_per_pad=2)},
+            "numerics.elements_per_pad",
+        ),
         ({"numerics": Numerics(time_step=1e-3), "speed": 100.0}, "numerics.time_step_s"),
         (
             {"irregularity": Harmonic(wavelength=0.1, amplitude=1e-4), "numerics": Numerics(time_step=2e-4)},

@@ -9,6 +9,7 @@ from solver.banded import substitute
 from solver.block import Block
 from solver.case import Harmonic, Joint, Numerics
 from solver.catalogue import TRACKS
+from solver.errors import UnresolvedError
 from solver.joint import JointModel, enrichment
 from solver.joint_kernels import first_joint, joint_row, open_joints, solve_joints
 from solver.peaks import peaks
@@ -104,3 +105,19 @@ def test_lanes_with_joints_are_solved_as_if_alone(discontinuous):
     cases = [discontinuous(), discontinuous(irregularity=Harmonic(wavelength=1.5, amplitude=2e-4))]
     for case, response in zip(cases, solve(cases), strict=True):
         np.testing.assert_array_equal(solve([case])[0].values, response.values)
+
+
+@pytest.mark.parametrize("elements_per_pad", [6, 48])
+def test_joints_around_the_vehicle_are_open_on_any_mesh(discontinuous, elements_per_pad):
+    block = Block([discontinuous(numerics=replace(NUMERICS, elements_per_pad=elements_per_pad))])
+    rear = block.model.wheel_cell - 2 * block.wheels[0] / 0.65
+    assert block.joints.first_cell < rear - 20
+    assert block.joints.first_cell + 10 * block.joints.joints > block.model.wheel_cell + 20
+
+
+def test_a_step_over_which_joints_reach_too_far_is_refused_by_name(discontinuous):
+    numerics = Numerics(track_length=95.0, time_step=1e-3, elements_per_pad=6)
+    (result,) = solve([discontinuous(speed=40 / 3.6, numerics=numerics)])
+    assert isinstance(result, UnresolvedError)
+    assert result.code == "unresolved"
+    assert "time_step_s" in str(result)

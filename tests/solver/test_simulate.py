@@ -7,10 +7,11 @@ import pytest
 
 from solver.case import Harmonic, Numerics, Smooth, Spectral
 from solver.catalogue import TRACKS
+from solver.errors import DivergedError
 from solver.peaks import peaks
 from solver.reference.layered import LayeredTrack, contact_force
 from solver.reference.winkler import WinklerBeam
-from solver.simulate import DivergedError, Response, solve
+from solver.simulate import Response, solve
 from solver.track import BASE, RAIL, SLAB, TrackModel
 from solver.vehicle import static_wheel_load, wheel_positions
 

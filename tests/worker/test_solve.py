@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from solver.case import Measured, Sum
-from solver.simulate import DivergedError
+from solver.errors import DivergedError
 from tests.worker.conftest import QUICK
 from worker import solve
 from worker.casefile import read_case

@@ -1,0 +1,1 @@
+"""Checks of the solver against answers found in other ways, and the report on them."""
