@@ -27,7 +27,7 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test test-slow lint format bench serve clean
+.PHONY: help install demo test test-slow lint format verify bench serve clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' Makefile
@@ -52,6 +52,9 @@ lint: $(INSTALLED)  ## ruff, mypy and the import contracts
 format: $(INSTALLED)  ## let ruff format and fix what it can
 	@$(RUN) ruff format
 	@$(RUN) ruff check --fix
+
+verify: $(INSTALLED)  ## check the physics and write docs/verification.md
+	@.venv/bin/tracksweep verify
 
 bench: $(INSTALLED)  ## time the solver
 	@$(RUN) benchmarks

@@ -36,6 +36,19 @@ def solve(
 
 
 @program.command()
+def verify(
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Where to write the report; docs unless --quick.")
+    ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Only the checks that take seconds.")] = False,
+) -> None:
+    """Check the solver against answers found in other ways, and write the report."""
+    from worker.verify import run
+
+    run(out or (None if quick else Path("docs")), quick)
+
+
+@program.command()
 def migrate() -> None:
     """Bring the database to the schema of this release."""
     from sqlalchemy.exc import SQLAlchemyError

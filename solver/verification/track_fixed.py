@@ -28,9 +28,9 @@ MEASURES: dict[str, Callable[[Array], Any]] = {"max": np.max, "min": np.min, "σ
 QUANTITIES: tuple[tuple[str, str, str, float, tuple[str, ...]], ...] = (
     ("wheel_rail_force", WHEELSETS[0], "force", FORCE, ("max", "min", "σ")),
     ("rail_displacement", WHEELSETS[0], "rail_displacement", RAIL, ("max", "min")),
-    ("rail_acceleration", WHEELSETS[0], "rail_acceleration", RAIL, ("peak", "σ")),
-    ("slab_acceleration", WHEELSETS[0], "slab_acceleration", LAYERS, ("peak", "σ")),
-    ("base_acceleration", WHEELSETS[0], "base_acceleration", LAYERS, ("peak", "σ")),
+    ("rail_acceleration", WHEELSETS[0], "rail_acceleration", RAIL, ("peak",)),
+    ("slab_acceleration", WHEELSETS[0], "slab_acceleration", LAYERS, ("peak",)),
+    ("base_acceleration", WHEELSETS[0], "base_acceleration", LAYERS, ("peak",)),
     ("roadbed_pressure", WHEELSETS[0], "roadbed_pressure", LOCAL, ("max",)),
     ("pad_force", ALL_PADS, "pad_force", LOCAL, ("max",)),
     ("pad_uplift", ALL_PADS, "pad_uplift", LOCAL, ("max",)),
