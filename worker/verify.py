@@ -17,14 +17,16 @@ def run(folder: Path | None, quick: bool) -> None:
     with Progress(console=err, transient=True, disable=not err.is_terminal) as progress:
         task = progress.add_task("checking", total=len(chosen))
         for check, finding, seconds in run_checks(chosen):
-            found.append((check, finding, seconds))
+            found.append((check, finding))
             progress.advance(task)
-            out.print(f"{'kept  ' if finding.passed else 'MISSED'}  {len(finding.rows):3d} numbers  {check.title}")
+            out.print(
+                f"{'kept  ' if finding.passed else 'MISSED'}  {len(finding.rows):3d} numbers  {seconds:4.0f} s  {check.title}"
+            )
             for row in finding.rows:
                 if not row.passed:
                     out.print(f"          {row.what}: {', '.join(cell for cell in row.cells() if cell)}")
     found.sort(key=lambda each: chosen.index(each[0]))
     if folder is not None:
         out.print(f"Report: {write_report(folder, found)}")
-    if not all(finding.passed for _, finding, _ in found):
+    if not all(finding.passed for _, finding in found):
         fail("A tolerance is missed.", FAILED)

@@ -11,12 +11,16 @@ _TRACK_FIXED = (
     "from element to element; its own matrices, integrator and contact. "
 )
 _SINE = "Sine of 1 m, conical tread, 200 m of track, over the 13 m in which pads, joints and sine repeat. "
-_RANDOM = "TB/T 3352, 2 to 30 m, conical tread, 200 m of track, 13 m of it; steps of 50 µs in both models. "
+_RANDOM = "TB/T 3352, 2 to 30 m, conical tread, over 13 m; 24 elements between pads and steps of 50 µs in both models. "
+
+
+def _power(value: float) -> str:
+    return f"{value:.0e}".replace("e+0", "e")
 
 
 def _fixed_sine(speed: float, stiffness: float, amplitude: float = 3e-4, pad: float = 6e7) -> Check:
     return Check(
-        title=f"Track-fixed model, sine: {speed:g} km/h, joints {stiffness:.0e} N/m, pads {pad:.0e} N/m",
+        title=f"Track-fixed model, sine: {speed:g} km/h, joints {_power(stiffness)} N/m, pads {_power(pad)} N/m",
         how=f"{_TRACK_FIXED}{_SINE}Amplitude {amplitude * 1e3:g} mm.",
         run=partial(track_fixed.harmonic, speed, stiffness, amplitude, pad),
     )
@@ -24,7 +28,7 @@ def _fixed_sine(speed: float, stiffness: float, amplitude: float = 3e-4, pad: fl
 
 def _fixed_random(speed: float, stiffness: float, percentile: float = 63.2, pad: float = 6e7) -> Check:
     return Check(
-        title=f"Track-fixed model, random: {speed:g} km/h, joints {stiffness:.0e} N/m, pads {pad:.0e} N/m",
+        title=f"Track-fixed model, random: {speed:g} km/h, joints {_power(stiffness)} N/m, pads {_power(pad)} N/m",
         how=f"{_TRACK_FIXED}{_RANDOM}Percentile {percentile:g} %.",
         run=partial(track_fixed.random, speed, stiffness, percentile, pad),
     )
@@ -63,8 +67,8 @@ CHECKS: tuple[Check, ...] = (
     ),
     Check(
         title="Sine, frequency domain",
-        how="Three infinite layers, all ten degrees of freedom, linearised contact. The P2 resonance is crossed between "
-        "200 and 250 km/h, and the wheel lifts off.",
+        how="Three infinite layers, all ten degrees of freedom, linearised contact. The P2 resonance is crossed "
+        "between 200 and 250 km/h, and the wheel lifts off.",
         run=partial(frequency_domain.harmonic, (160.0, 200.0, 250.0, 300.0, 350.0)),
     ),
     Check(
@@ -129,8 +133,8 @@ CHECKS: tuple[Check, ...] = (
     ),
     Check(
         title="Energy",
-        how="Work of the engine that keeps the speed against heat in all dampers, what the ends absorb and what is stored, "
-        "by Gauss points over the fields.",
+        how="Work of the engine that keeps the speed against heat in all dampers, what the ends absorb and what is "
+        "stored, by Gauss points over the fields.",
         run=energy.balance,
     ),
     Check(

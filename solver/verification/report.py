@@ -22,15 +22,14 @@ What the solver answers beside answers found in other ways. Written by
 """
 
 
-def write_report(folder: Path, found: Sequence[tuple[Check, Finding, float]]) -> Path:
+def write_report(folder: Path, found: Sequence[tuple[Check, Finding]]) -> Path:
     """Write ``verification.md`` and its pictures.
 
     Parameters
     ----------
     folder : Path
         Created if missing.
-    found : sequence of (Check, Finding, float)
-        With the processor time of each, s.
+    found : sequence of (Check, Finding)
 
     Returns
     -------
@@ -41,15 +40,15 @@ def write_report(folder: Path, found: Sequence[tuple[Check, Finding, float]]) ->
     pictures = folder / "verification"
     for stale in pictures.glob("*.svg"):
         stale.unlink()
-    rows = [row for _, finding, _ in found for row in finding.rows]
+    rows = [row for _, finding in found for row in finding.rows]
     missed = sum(not row.passed for row in rows)
     verdict = f"{len(found)} checks, {len(rows)} numbers, " + (
         f"**{missed} missed**." if missed else "all within tolerance."
     )
     text = HEADER.format(version=SOLVER_VERSION, verdict=verdict)
     text += "| check | numbers | largest difference | verdict |\n|---|---|---|---|\n"
-    text += "".join(_summary(check, finding) for check, finding, _ in found)
-    text += "".join(_section(pictures, check, finding, seconds) for check, finding, seconds in found)
+    text += "".join(_summary(check, finding) for check, finding in found)
+    text += "".join(_section(pictures, check, finding) for check, finding in found)
     path = folder / "verification.md"
     path.write_text(text)
     return path
@@ -67,8 +66,8 @@ def _summary(check: Check, finding: Finding) -> str:
     return f"| [{check.title}](#{_anchor(check.title)}) | {len(finding.rows)} | {largest} | {verdict} |\n"
 
 
-def _section(pictures: Path, check: Check, finding: Finding, seconds: float) -> str:
-    text = f"\n## {check.title}\n\n{check.how} Took {seconds:.0f} s of processor time.\n\n"
+def _section(pictures: Path, check: Check, finding: Finding) -> str:
+    text = f"\n## {check.title}\n\n{check.how}\n\n"
     text += "| what | ours | expected | difference | tolerance | verdict |\n|---|---|---|---|---|---|\n"
     for row in finding.rows:
         verdict = "kept" if row.passed else "**missed**"

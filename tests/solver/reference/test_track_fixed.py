@@ -5,12 +5,10 @@ import pytest
 
 from solver.case import Harmonic, Joint, Numerics, Smooth
 from solver.catalogue import TRACKS
-from solver.channels import CHANNELS
 from solver.reference import track_fixed
 from solver.reference.layered import LayeredTrack
 from solver.reference.track_fixed import solve_track_fixed
 from solver.reference.track_fixed_model import build_mesh, track_matrices, wheel_positions, whole
-from solver.simulate import solve
 
 TRACK = TRACKS["crts2"].values
 SHORT = Numerics(track_length=110.0, elements_per_pad=6, time_step=2e-4, settle=0.3, window=0.1)
@@ -96,56 +94,6 @@ def test_joints_without_and_with_rigid_shear_transfer(make_short, stiffness, dam
         assert np.abs(response.joint_jump).max() < 1e-8
     else:
         assert 5e-5 < np.abs(response.joint_jump).max() < 3e-4
-
-
-def magnitude(history: np.ndarray) -> float:
-    return np.abs(history).max()
-
-
-def assert_peaks_agree(case) -> None:
-    moving, fixed = solve([case])[0], solve_track_fixed(case)
-    of_channel = {channel.quantity: row for row, channel in reversed(list(enumerate(CHANNELS)))}  # the first wheelset's
-    for quantity, history, tolerance in (
-        ("wheel_rail_force", fixed.force[0], 0.005),
-        ("rail_displacement", fixed.rail_displacement, 0.01),
-        ("slab_displacement", fixed.slab_displacement, 0.01),
-        ("base_displacement", fixed.base_displacement, 0.01),
-        ("rail_acceleration", fixed.rail_acceleration, 0.01),
-        ("slab_acceleration", fixed.slab_acceleration, 0.02),
-        ("base_acceleration", fixed.base_acceleration, 0.02),
-    ):
-        extremes = (magnitude,) if quantity.endswith("acceleration") else (np.max, np.min)
-        for measure in (*extremes, np.std):
-            expected = pytest.approx(measure(moving.values[of_channel[quantity]]), rel=tolerance)
-            assert measure(history) == expected, (quantity, measure)
-
-
-def test_moving_elements_agree(make_case):
-    assert_peaks_agree(make_case(numerics=replace(SHORT, track_length=110.0, time_step=1e-4, settle=0.4, window=0.14)))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("speed_kmh", [200, 350])
-def test_moving_elements_agree_at_full_density(make_case, conical_vehicle, speed_kmh):
-    numerics = Numerics(settle=0.8, window=0.4)
-    assert_peaks_agree(make_case(speed=speed_kmh / 3.6, vehicle=conical_vehicle, numerics=numerics))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("speed_kmh", "shear_stiffness", "irregularity"),
-    [
-        (160, 1e8, Harmonic(wavelength=1.0, amplitude=3e-4)),
-        (200, 1e6, Harmonic(wavelength=1.0, amplitude=2e-4)),
-        (350, 1e8, Harmonic(wavelength=1.0, amplitude=3e-4)),
-    ],
-)
-def test_moving_elements_agree_on_jointed_slabs(make_case, conical_vehicle, speed_kmh, shear_stiffness, irregularity):
-    """Joints that ride with the track against true double nodes, over the 13 m in which joints and sine repeat."""
-    numerics = Numerics(settle=0.8, window=13 * 3.6 / speed_kmh)
-    track = replace(TRACK, joint=Joint(shear_stiffness=shear_stiffness))
-    parts = {"speed": speed_kmh / 3.6, "track": track, "vehicle": conical_vehicle, "numerics": numerics}
-    assert_peaks_agree(make_case(slab="discontinuous", irregularity=irregularity, **parts))
 
 
 @pytest.mark.slow
