@@ -19,9 +19,8 @@ def run(folder: Path | None, quick: bool) -> None:
         for check, finding, seconds in run_checks(chosen):
             found.append((check, finding))
             progress.advance(task)
-            out.print(
-                f"{'kept  ' if finding.passed else 'MISSED'}  {len(finding.rows):3d} numbers  {seconds:4.0f} s  {check.title}"
-            )
+            verdict = "kept" if finding.passed else "MISSED"
+            out.print(f"{verdict:6s}  {len(finding.rows):3d} numbers  {seconds:4.0f} s  {check.title}")
             for row in finding.rows:
                 if not row.passed:
                     out.print(f"          {row.what}: {', '.join(cell for cell in row.cells() if cell)}")
