@@ -1,7 +1,5 @@
 """Cases in the database."""
 
-import hashlib
-import json
 from collections.abc import Iterable, Iterator
 from typing import Any, TypeVar
 
@@ -23,17 +21,11 @@ def row_of(case: SolverCase, priority: int) -> dict[str, Any]:
     return {
         "digest": case.digest(),
         "solver_version": SOLVER_VERSION,
-        "operator_key": _operator_key(inputs),
+        "operator_key": case.operator_key(),
         "inputs": inputs,
         "priority": priority,
         **conditions(inputs),
     }
-
-
-def _operator_key(inputs: dict[str, Any]) -> str:
-    """Equal for cases that share the track operator, and so can be marched side by side."""
-    shared = {name: inputs[name] for name in ("track", "slab", "speed", "numerics")}
-    return hashlib.sha256(json.dumps(shared, sort_keys=True).encode()).hexdigest()
 
 
 def enqueue(session: Session, rows: dict[str, dict[str, Any]], *, keep_history: bool) -> tuple[dict[str, int], int]:
@@ -55,7 +47,7 @@ def enqueue(session: Session, rows: dict[str, dict[str, Any]], *, keep_history: 
     reused : int
         How many of them are already computed.
     """
-    known = {row.digest: row for digests in _batches(rows) for row in _lock_known(session, digests)}
+    known = {row.digest: row for digests in _batches(sorted(rows)) for row in _lock_known(session, digests)}
     _revive(session, [row.id for row in known.values() if row.state == "cancelled"])
     lacking = [row.id for row in known.values() if keep_history and row.state == "succeeded" and row.key is None]
     _revive(session, lacking)
@@ -74,12 +66,15 @@ def _batches(items: Iterable[T]) -> Iterator[list[T]]:
 
 
 def _lock_known(session: Session, digests: list[str]) -> Iterable[Row[Any]]:
-    """Cases that exist, locked until the study that wants them is visible to whoever finishes one of them."""
+    """Cases that exist, locked until the study that wants them is visible to whoever finishes one of them.
+
+    In the order of their digests, as whoever locks several cases must, or two would wait for each other in a circle.
+    """
     return session.execute(
         select(Case.digest, Case.id, Case.state, History.key)
         .outerjoin(History, History.case_id == Case.id)
         .where(Case.digest.in_(digests), Case.solver_version == SOLVER_VERSION)
-        .order_by(Case.id)
+        .order_by(Case.digest)
         .with_for_update(key_share=True, of=Case)
     )
 
