@@ -74,9 +74,9 @@ def find_page(session: Session, query: StudyQuery, max_page_size: int) -> tuple[
     return [rows[study_id] for study_id in ids], cursor
 
 
-def active_workers(session: Session) -> int:
-    """How many workers hold a case."""
-    return session.scalar(select(func.count(Case.worker.distinct())).where(Case.state == "running")) or 0
+def cases_at_once(session: Session) -> int:
+    """How many cases are being computed."""
+    return session.scalar(select(func.count()).where(Case.state == "running")) or 0
 
 
 def cases_ahead(session: Session, study_id: str, priority: int) -> int:

@@ -135,16 +135,16 @@ def _summary(row: Row[Any]) -> dict[str, Any]:
 
 
 def _estimate(session: Session, row: Row[Any]) -> FinishEstimate | None:
-    """From how long the study's computed cases took, the queue before it and the workers at work.
+    """From how long the study's computed cases took, the queue before it and how many are computed at once.
 
     The interval is twice the standard deviation of a sum of that many independent cases.
     """
     if row.mean_s is None or row.queued + row.running == 0:
         return None
     cases = (1 - row.progress) * row.total + repository.cases_ahead(session, row.Study.id, row.Study.priority)
-    workers = max(1, repository.active_workers(session))
-    spread = 2 * math.sqrt(max(0.0, row.mean_square_s2 - row.mean_s**2) * cases) / workers
-    expected = cases * row.mean_s / workers
+    at_once = max(1, repository.cases_at_once(session))
+    spread = 2 * math.sqrt(max(0.0, row.mean_square_s2 - row.mean_s**2) * cases) / at_once
+    expected = cases * row.mean_s / at_once
     now = datetime.fromtimestamp(session.scalars(select(Clock())).one(), UTC)
     earliest, latest = max(0.0, expected - spread), expected + spread
     return FinishEstimate(
