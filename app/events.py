@@ -1,5 +1,6 @@
 """What happens to studies, written down in the transaction that makes it happen."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from sqlalchemy import exists, select, update
@@ -16,11 +17,12 @@ def record(session: Session, study_id: str, kind: EventKind, payload: dict[str, 
     session.flush()  # numbered now: later events of this transaction come later
 
 
-def case_started(session: Session, case_id: int) -> None:
-    """A worker took a case: studies in which it is the first are running."""
-    containing = select(StudyCase.study_id).where(StudyCase.case_id == case_id)
-    first = update(Study).where(Study.started_at.is_(None), Study.id.in_(containing)).values(started_at=Clock())
-    for study_id in session.scalars(first.returning(Study.id)).all():
+def cases_started(session: Session, case_ids: Sequence[int]) -> None:
+    """A worker took cases: studies in which they are the first are running."""
+    containing = select(StudyCase.study_id).where(StudyCase.case_id.in_(case_ids))
+    waiting = select(Study.id).where(Study.started_at.is_(None), Study.id.in_(containing)).order_by(Study.id)
+    for study_id in session.scalars(waiting.with_for_update(key_share=True)).all():
+        session.execute(update(Study).where(Study.id == study_id).values(started_at=Clock()))
         record(session, study_id, "state", {"state": "running"})
 
 

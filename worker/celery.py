@@ -10,7 +10,7 @@ SETTINGS = Settings()
 app: Celery = broker_client(SETTINGS)
 app.conf.update(
     imports=["worker.tasks"],
-    worker_pool="solo",  # one process, one case at a time: nothing is forked, and a crash takes nothing else along
+    worker_pool="solo",  # one process, one batch at a time: nothing is forked, and a crash takes nothing else along
     worker_concurrency=1,
     worker_prefetch_multiplier=1,
     task_acks_late=True,  # or a busy worker would take the bell meant to wake an idle one

@@ -1,11 +1,9 @@
-"""A worker: claims cases until none is queued, computes each and writes down what came of it."""
+"""A worker: claims cases until none is queued, computes them and writes down what came of each."""
 
 import hashlib
-import os
-import socket
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -17,12 +15,14 @@ from app.db.session import Database
 from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
+from solver.block import MAX_LANES
 from solver.case import Case
 from solver.errors import SolverError
 from solver.peaks import peaks
 from solver.processing import processing
-from solver.simulate import Progress, Response, solve
-from worker import lease
+from solver.simulate import Response, solve
+from worker import lease, presence
+from worker.claim import Claim, claim
 from worker.heartbeat import Heartbeat, StoppedError
 from worker.history import archive
 from worker.peak import peak_at_boundary
@@ -34,6 +34,11 @@ Outcome = Callable[[Session], bool]  # writes itself down, and says whether the 
 log = structlog.get_logger()
 
 
+def _lost(session: Session) -> bool:
+    """The outcome of a case that is no longer this worker's."""
+    return False
+
+
 class Worker:
     """One worker with connections of its own: made in the process that uses it.
 
@@ -41,7 +46,7 @@ class Worker:
     ----------
     settings : Settings
     stopping : threading.Event
-        Set when the worker is to stop; the case at hand is put back.
+        Set when the worker is to stop; the cases at hand are put back.
     """
 
     def __init__(self, settings: Settings, stopping: threading.Event) -> None:
@@ -50,48 +55,79 @@ class Worker:
         self.database = Database(settings.resolved_database_url)
         self.doorbell = Doorbell(settings)
         self.histories = HistoryStore(settings.resolved_storage_url)
-        self.name = f"{socket.gethostname()}:{os.getpid()}"
+        self.name = presence.own_name()
 
     def drain(self) -> int:
         """Compute cases until none is queued or the worker is to stop. Returns how many."""
         computed = 0
-        while not self.stopping.is_set() and (held := self._claim()) is not None:
+        while not self.stopping.is_set() and (batch := self._claim()):
             if not computed:
                 self.doorbell.ring()  # where one case is queued there may be more: wake the next worker
-            self.compute(held)
-            computed += 1
+            self.compute(batch)
+            computed += len(batch)
         return computed
 
-    def compute(self, held: lease.Claim) -> None:
-        """Compute one case and write down the outcome."""
-        with Heartbeat(self.database, held, self.settings.lease_s, self.stopping) as heartbeat:
-            outcome = self._attempt(held, heartbeat.progress)
-            if not self._write(outcome):
-                log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
+    def compute(self, batch: Sequence[Claim]) -> None:
+        """Compute cases side by side and write down the outcome of each."""
+        with Heartbeat(self.database, batch, self.settings.lease_s, self.stopping) as heartbeat:
+            for held, outcome in self._attempt(batch, heartbeat):
+                try:
+                    if not self._write(outcome):
+                        log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
+                except Exception:  # its lease will run out; its neighbours' outcomes are still to be written
+                    log.exception("outcome not written", case_id=held.case_id, attempt=held.attempt)
 
-    def _claim(self) -> lease.Claim | None:
+    def _claim(self) -> list[Claim]:
+        # Where one attempt is all a case has, none may lose it to a neighbour that kills the worker.
+        lanes = MAX_LANES if self.settings.max_attempts > 1 else 1
         with self.database.write() as session:
-            return lease.claim(session, self.name, self.settings.lease_s)
+            return claim(session, self.name, self.settings.lease_s, lanes)
 
-    def _attempt(self, held: lease.Claim, progress: Progress) -> Outcome:
+    def _attempt(self, batch: Sequence[Claim], heartbeat: Heartbeat) -> Iterator[tuple[Claim, Outcome]]:
+        """Compute cases side by side or, if that breaks, one by one, so that only the one to blame is charged."""
         began = time.process_time()
         try:
-            (result,) = solve([Case.from_dict(held.inputs)], progress)
-            if isinstance(result, SolverError):  # the same again, however often it were tried
-                return partial(lease.fail, held=held, code=result.code, detail=str(result))
-            rows, history = [peak_at_boundary(peak) for peak in peaks(result)], self._keep_history(held, result)
-            cpu_s, record = time.process_time() - began, processing(result)
-            return partial(lease.succeed, held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
+            heartbeat.progress(batch, 0.0)
+            results = solve([Case.from_dict(held.inputs) for held in batch], partial(heartbeat.progress, batch))
         except StoppedError:
-            return partial(lease.release, held=held)
+            yield from ((held, partial(lease.release, held=held)) for held in batch)
+            return
         except lease.LeaseLostError:
-            return lambda session: False
+            yield from ((held, _lost) for held in batch)
+            return
         except Exception as error:
-            log.exception("attempt failed", case_id=held.case_id, attempt=held.attempt)
-            reason = f"{type(error).__name__}: {error}"
-            return partial(lease.give_up, held=held, max_attempts=self.settings.max_attempts, reason=reason)
+            log.exception("attempt failed", case_ids=[held.case_id for held in batch])
+            if len(batch) == 1:
+                yield batch[0], self._give_up(batch[0], error)
+                return
+            results = []  # and on out of here: the exception keeps the memory of what it broke
+        if not results:
+            for held in batch:
+                yield from self._attempt([held], heartbeat)
+            return
+        cpu_s = (time.process_time() - began) / len(batch)
+        for held, result in zip(batch, results, strict=True):
+            yield held, self._outcome(held, result, cpu_s) if heartbeat.holds(held) else _lost
 
-    def _keep_history(self, held: lease.Claim, response: Response) -> dict[str, Any] | None:
+    def _outcome(self, held: Claim, result: Response | SolverError, cpu_s: float) -> Outcome:
+        """What came of a case, which took some processor time so far."""
+        if isinstance(result, SolverError):  # the same again, however often it were tried
+            return partial(lease.fail, held=held, code=result.code, detail=str(result))
+        began = time.process_time()
+        try:
+            rows, history = [peak_at_boundary(peak) for peak in peaks(result)], self._keep_history(held, result)
+            record = processing(result)
+        except Exception as error:
+            log.exception("attempt failed", case_ids=[held.case_id])
+            return self._give_up(held, error)
+        cpu_s += time.process_time() - began
+        return partial(lease.succeed, held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
+
+    def _give_up(self, held: Claim, error: Exception) -> Outcome:
+        reason = f"{type(error).__name__}: {error}"
+        return partial(lease.give_up, held=held, max_attempts=self.settings.max_attempts, reason=reason)
+
+    def _keep_history(self, held: Claim, response: Response) -> dict[str, Any] | None:
         """Store the history, if a study asks for it, before the transaction that tells of it. Should that never
         come, the object is an orphan, which the sweeper collects.
         """

@@ -1,6 +1,7 @@
 """What a worker says while it computes: that it lives, and how far it is."""
 
 import threading
+from collections.abc import Sequence
 from types import TracebackType
 from typing import Self
 
@@ -20,24 +21,27 @@ class StoppedError(Exception):
 
 
 class Heartbeat:
-    """Extends a lease from a thread of its own for as long as the block runs.
+    """Extends the leases of a batch from a thread of its own for as long as the block runs.
 
     Parameters
     ----------
     database : Database
-    held : Claim
+    batch : sequence of Lease
+        The cases, in the order in which to lock them.
     lease_s : float
-        How long the lease is to last from each beat, s.
+        How long a lease is to last from each beat, s.
     stopping : threading.Event
         Set when the worker is to stop.
     """
 
-    def __init__(self, database: Database, held: lease.Claim, lease_s: float, stopping: threading.Event) -> None:
-        self._database, self._held, self._lease_s, self._stopping = database, held, lease_s, stopping
-        self._fraction = 0.0
-        self._lost = False
+    def __init__(
+        self, database: Database, batch: Sequence[lease.Lease], lease_s: float, stopping: threading.Event
+    ) -> None:
+        self._database, self._lease_s, self._stopping = database, lease_s, stopping
+        self._held = {held.case_id: held for held in batch}
+        self._fractions = dict.fromkeys(self._held, 0.0)
         self._over = threading.Event()
-        self._thread = threading.Thread(target=self._beat, name=f"heartbeat of case {held.case_id}", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="heartbeat", daemon=True)
 
     def __enter__(self) -> Self:
         self._thread.start()
@@ -49,30 +53,41 @@ class Heartbeat:
         self._over.set()
         self._thread.join()
 
-    def progress(self, fraction: float) -> None:
-        """What the solver calls while it computes.
+    def holds(self, held: lease.Lease) -> bool:
+        """Whether the case was still this worker's at the last beat."""
+        return held.case_id in self._held
+
+    def progress(self, batch: Sequence[lease.Lease], fraction: float) -> None:
+        """What the solver calls while it computes some of the cases.
 
         Raises
         ------
         LeaseLostError
-            If another worker has the case by now, or it was cancelled.
+            If other workers have all of them by now, or they were cancelled.
         StoppedError
             If this worker is to stop.
         """
-        self._fraction = fraction
-        if self._lost:
+        self._fractions.update((held.case_id, fraction) for held in batch)
+        if not any(map(self.holds, batch)):
             raise lease.LeaseLostError
         if self._stopping.is_set():
             raise StoppedError
 
-    def _beat(self) -> None:
-        while not self._over.wait(min(self._lease_s / 3, LONGEST_SILENCE_S)):
+    def _run(self) -> None:
+        while self._held and not self._over.wait(min(self._lease_s / 3, LONGEST_SILENCE_S)):
             try:
-                with self._database.write() as session:
-                    alive = lease.extend(session, self._held, self._lease_s, self._fraction)
-            except SQLAlchemyError as error:  # the database will say, once it is back, whether the lease held
-                log.warning("heartbeat failed", case_id=self._held.case_id, error=str(error))
+                lost = self._beat()
+            except SQLAlchemyError as error:  # the database will say, once it is back, which leases held
+                log.warning("heartbeat failed", case_ids=list(self._held), error=str(error))
                 continue
-            if not alive:
-                self._lost = True
-                return
+            for case_id in lost:
+                del self._held[case_id]
+
+    def _beat(self) -> list[int]:
+        """Extend what is held; the cases whose leases are lost, among them those whose outcome is written down."""
+        with self._database.write() as session:
+            return [
+                case_id
+                for case_id, held in self._held.items()
+                if not lease.extend(session, held, self._lease_s, self._fractions[case_id])
+            ]

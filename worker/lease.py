@@ -12,7 +12,6 @@ comes back late, finds it changed and writes nothing.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
-from uuid import uuid4
 
 from sqlalchemy import delete, exists, select, update
 from sqlalchemy.orm import Session
@@ -31,47 +30,8 @@ class Lease:
     attempt: int
 
 
-@dataclass(frozen=True, kw_only=True)
-class Claim(Lease):
-    """A case that a worker may compute until its lease runs out."""
-
-    digest: str
-    inputs: dict[str, Any]
-
-
 class LeaseLostError(Exception):
     """The case was given to another worker or cancelled."""
-
-
-def claim(session: Session, worker: str, lease_s: float) -> Claim | None:
-    """Take the next case: of the highest priority the oldest. None if none is queued."""
-    first = (
-        select(Case.id)
-        .where(Case.state == "queued")
-        .order_by(Case.priority.desc(), Case.id)
-        .limit(1)
-        .with_for_update(skip_locked=True)
-    )
-    token = uuid4().hex
-    taken = session.execute(
-        update(Case)
-        .where(Case.id == first.scalar_subquery())
-        .values(
-            state="running",
-            attempt=Case.attempt + 1,
-            lease_token=token,
-            lease_expires=Clock() + lease_s,
-            heartbeat_at=Clock(),
-            started_at=Clock(),
-            worker=worker,
-            progress=0.0,
-        )
-        .returning(Case.id, Case.attempt, Case.digest, Case.inputs)
-    ).one_or_none()
-    if taken is None:
-        return None
-    events.case_started(session, taken.id)
-    return Claim(case_id=taken.id, token=token, attempt=taken.attempt, digest=taken.digest, inputs=taken.inputs)
 
 
 def extend(session: Session, held: Lease, lease_s: float, progress: float) -> bool:
@@ -93,7 +53,7 @@ def wants_history(session: Session, case_id: int) -> bool:
 
 def succeed(
     session: Session,
-    held: Claim,
+    held: Lease,
     peaks: Sequence[dict[str, Any]],
     processing: dict[str, Any],
     history: dict[str, Any] | None,
@@ -105,7 +65,7 @@ def succeed(
     ----------
     session : Session
         The transaction.
-    held : Claim
+    held : Lease
         The case.
     peaks : sequence of dict
         Columns of the table ``peak``.

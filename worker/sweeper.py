@@ -14,7 +14,7 @@ from app.idempotency import KEPT_S
 from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import STORE_ERRORS, HistoryStore
-from worker import lease
+from worker import lease, presence
 
 LONGEST_PAUSE_S = 5.0
 ORPHANED_AFTER_S = 3600.0  # an object this old, of which no row tells, will never be told of
@@ -50,7 +50,7 @@ def collect_orphans(session: Session, histories: HistoryStore) -> int:
 
 
 class Sweeper:
-    """Sweeps every few seconds, in a thread, for as long as the process lives.
+    """Sweeps every few seconds, and says that this worker is there, in a thread for as long as the process lives.
 
     Every worker has one, so that there is one wherever there is anybody to do the work.
     """
@@ -60,6 +60,7 @@ class Sweeper:
         self._database = Database(settings.resolved_database_url)
         self._doorbell = Doorbell(settings)
         self._histories = HistoryStore(settings.resolved_storage_url)
+        self._pause_s = min(settings.lease_s / 3, LONGEST_PAUSE_S)
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._run, name="sweeper", daemon=True)
 
@@ -82,10 +83,11 @@ class Sweeper:
         while True:
             try:
                 with self._database.write() as session:
+                    presence.announce(session, presence.own_name(), 3 * self._pause_s)
                     queued = sweep(session, self._settings.max_attempts)
                 if queued:
                     self._doorbell.ring()
             except SQLAlchemyError as error:
                 log.warning("sweep failed", error=str(error))
-            if self._over.wait(min(self._settings.lease_s / 3, LONGEST_PAUSE_S)):
+            if self._over.wait(self._pause_s):
                 return

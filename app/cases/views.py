@@ -45,7 +45,9 @@ class CaseSummary(Conditions):
     attempt: int = Field(description="Number of the attempt that runs or ran last; 0 before the first.")
     worker: str | None
     error: CaseError | None
-    cpu_s: float | None = Field(description="Processor time of the successful attempt, s.")
+    cpu_s: float | None = Field(
+        description="Processor time of the successful attempt, s; of cases computed together, a share."
+    )
     created_at: datetime
     started_at: datetime | None
     finished_at: datetime | None

@@ -66,7 +66,7 @@ class Case(Base):
     id: Mapped[int] = mapped_column(BigKey, primary_key=True)  # ascending, so the order of age within the queue
     digest: Mapped[str] = mapped_column(String(64))
     solver_version: Mapped[str]
-    operator_key: Mapped[str] = mapped_column(String(64))  # equal for cases that share the track operator
+    operator_key: Mapped[str] = mapped_column(String(64))  # equal for cases that can be computed side by side
     inputs: Mapped[dict[str, Any]]  # Case.to_dict(), SI
 
     speed_kmh: Mapped[float]
@@ -98,6 +98,16 @@ class Case(Base):
 
 
 Index("ix_case_queue", Case.state, Case.priority.desc(), Case.id)
+Index("ix_case_operator", Case.operator_key, Case.state, Case.priority, Case.id)
+
+
+class Worker(Base):
+    """A worker that said lately that it is there."""
+
+    __tablename__ = "worker"
+
+    name: Mapped[str] = mapped_column(primary_key=True)
+    expires: Mapped[float]
 
 
 class StudyCase(Base):

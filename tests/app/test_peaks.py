@@ -9,6 +9,7 @@ import pytest
 from app.db.session import Database
 from app.peaks.schemas import COLUMNS
 from worker import lease
+from worker.claim import claim
 
 STATISTICS = ["peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "track_position_m"]
 
@@ -29,7 +30,8 @@ def peaks(client: httpx.Client, database: Database, study: dict[str, Any]) -> li
     client.post("/v1/studies", json=study)
     number = 0
     with database.write() as session:
-        while (held := lease.claim(session, "test", 15.0)) is not None:
+        while batch := claim(session, "test", 15.0, lanes=1):
+            (held,) = batch
             number += 1
             found = [peak("wheel_rail_force", 1e5 + number), peak("pad_force", 3e4), peak("pad_force", 2e4, "middle")]
             assert lease.succeed(session, held, peaks=found, processing={}, history=None, cpu_s=1.0)

@@ -13,6 +13,7 @@ from app.db.models import Case, Event, Study
 from app.db.session import Database
 from app.settings import Settings
 from worker import lease
+from worker.claim import claim
 
 Check = Callable[..., dict[str, Any]]
 
@@ -20,8 +21,7 @@ Check = Callable[..., dict[str, Any]]
 def finish(database: Database, *, fail: bool = False) -> int:
     """What a worker does for one case, without the computing. Returns the case."""
     with database.write() as session:
-        held = lease.claim(session, "test", 15.0)
-    assert held is not None
+        (held,) = claim(session, "test", 15.0, lanes=1)
     with database.write() as session:
         if fail:
             assert lease.fail(session, held, "diverged", "beyond all bounds")
@@ -54,8 +54,7 @@ def test_its_definition_makes_the_same_study_again(client: httpx.Client, study: 
 def test_a_study_comes_to_its_end(client: httpx.Client, database: Database, study: dict[str, Any]) -> None:
     url = client.post("/v1/studies", json=study).headers["location"]
     with database.write() as session:
-        held = lease.claim(session, "test", 15.0)
-    assert held is not None
+        (held,) = claim(session, "test", 15.0, lanes=1)
     with database.write() as session:
         assert lease.extend(session, held, 15.0, 0.5)
     running = client.get(url).json()
@@ -100,8 +99,7 @@ def test_cases_computed_before_are_reused(client: httpx.Client, database: Databa
 def test_cases_in_flight_are_shared(client: httpx.Client, database: Database, study: dict[str, Any]) -> None:
     first = client.post("/v1/studies", json=study).headers["location"]
     with database.write() as session:
-        held = lease.claim(session, "test", 15.0)
-    assert held is not None
+        (held,) = claim(session, "test", 15.0, lanes=1)
     second = client.post("/v1/studies", json=study).headers["location"]
     assert count(database, Case) == 4
     with database.write() as session:
@@ -126,8 +124,7 @@ def test_a_case_says_how_its_peaks_were_derived_once_it_has_some(
 ) -> None:
     client.post("/v1/studies", json=study)
     with database.write() as session:
-        held = lease.claim(session, "test", 15.0)
-    assert held is not None
+        (held,) = claim(session, "test", 15.0, lanes=1)
     assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] is None
     record = {"sampling_step_s": 1e-4, "sperling_index": {"band_hz": [0.5, 80.0]}}
     with database.write() as session:

@@ -3,7 +3,7 @@
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -44,10 +44,12 @@ def context(tmp_path: Path, database_url: str, database: Database) -> Context:
 
 @pytest.fixture
 def submit(context: Context) -> Submit:
-    """Creates a study of given speeds."""
+    """Creates a study of given speeds, and of amplitudes in mm: these share an operator."""
 
-    def create(*speeds: float, numerics: dict[str, Any] = QUICK, **more: Any) -> StudyDetail:
-        irregularity = {"kind": "harmonic", "wavelength_m": [2.0], "amplitude_mm": [0.1]}
+    def create(
+        *speeds: float, amplitudes: Sequence[float] = (0.1,), numerics: dict[str, Any] = QUICK, **more: Any
+    ) -> StudyDetail:
+        irregularity = {"kind": "harmonic", "wavelength_m": [2.0], "amplitude_mm": list(amplitudes)}
         sweep = {"kind": "product", "speed_kmh": list(speeds), "irregularity": irregularity}
         request = {"name": "A study", "sweep": sweep, "numerics": numerics, **more}
         return service.create(context, StudyRequest.model_validate(request), None)

@@ -15,16 +15,17 @@ from app.db.types import Clock
 from app.idempotency import KEPT_S
 from app.studies import service
 from app.studies.schemas import StudyDetail
+from worker import claim as claims
 from worker import lease
+from worker.claim import Claim
 from worker.sweeper import sweep
 
 Submit = Callable[..., StudyDetail]
 
 
-def claim(database: Database, lease_s: float = 15.0) -> lease.Claim:
+def claim(database: Database, lease_s: float = 15.0) -> Claim:
     with database.write() as session:
-        held = lease.claim(session, "test", lease_s)
-    assert held is not None
+        (held,) = claims.claim(session, "test", lease_s, lanes=1)
     return held
 
 
@@ -47,12 +48,13 @@ def claim_all(url: str) -> list[int]:
         mine = []
         while True:
             with database.write() as session:
-                held = lease.claim(session, "test", 15.0)
-            if held is None:
+                batch = claims.claim(session, "test", 15.0)
+            if not batch:
                 return mine
-            with database.write() as session:
-                assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=0.0)
-            mine.append(held.case_id)
+            for held in batch:
+                with database.write() as session:
+                    assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=0.0)
+                mine.append(held.case_id)
 
     with ThreadPoolExecutor(4) as pool:
         claimed = [case_id for mine in pool.map(drain, range(4)) for case_id in mine]
@@ -70,15 +72,16 @@ def test_many_workers_claim_each_case_once(
     database_url: str, database: Database, submit: Submit, two_processes: ProcessPoolExecutor
 ) -> None:
     studies = [submit(*range(200, 240)), submit(*range(220, 260))]  # in part the same cases
+    studies.append(submit(300, amplitudes=[n / 100 for n in range(1, 31)]))  # claimed several at a time
     claimed = [case_id for mine in two_processes.map(claim_all, [database_url] * 2) for case_id in mine]
-    assert len(claimed) == 60
+    assert len(claimed) == 90
     assert max(Counter(claimed).values()) == 1
     with database.read() as session:
-        assert [service.get(session, study.id).state for study in studies] == ["succeeded"] * 2
+        assert [service.get(session, study.id).state for study in studies] == ["succeeded"] * 3
         done = session.scalars(select(Event.study_id).where(Event.kind == "done")).all()
         assert sorted(done) == sorted(study.id for study in studies)  # each said once
         ends = select(func.count()).where(Event.kind == "case")
-        assert session.scalar(ends) == 80
+        assert session.scalar(ends) == 110
 
 
 def test_the_last_two_cases_end_at_once(database: Database, submit: Submit) -> None:
@@ -86,7 +89,7 @@ def test_the_last_two_cases_end_at_once(database: Database, submit: Submit) -> N
         submit(speed, speed + 100)
         held = [claim(database), claim(database)]
 
-        def end(one: lease.Claim) -> None:
+        def end(one: Claim) -> None:
             with database.write() as session:
                 assert lease.succeed(session, one, peaks=[], processing={}, history=None, cpu_s=0.0)
 
@@ -108,7 +111,7 @@ def test_order_is_priority_and_then_age(database: Database, submit: Submit) -> N
 
 def test_nothing_to_claim(database: Database) -> None:
     with database.write() as session:
-        assert lease.claim(session, "test", 15.0) is None
+        assert claims.claim(session, "test", 15.0) == []
 
 
 def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(

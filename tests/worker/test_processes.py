@@ -16,6 +16,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail
+from worker import presence
 
 SECONDS_LONG = {
     "track_length_m": 90.0,
@@ -58,8 +59,13 @@ def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail
             running = select(Case).where(Case.state == "running", Case.attempt == attempt, Case.progress > 0)
             return session.scalars(running).first()
 
-    # A bell wakes the first worker, which wakes the second.
+    def there() -> int:
+        with context.database.read() as session:
+            return presence.count_with(session, "nobody") - 1
+
+    # Two workers say that they are there. A bell wakes the first, which wakes the second.
     workers = {process.pid: process for process in (processes.start(), processes.start())}
+    until(lambda: there() == 2)
     study = submit(200, 210, 220, 230)
     until(lambda: state(study) == "succeeded")
 

@@ -12,6 +12,7 @@ from app.queue import QUEUE, Doorbell
 from app.settings import Settings
 from app.studies.schemas import StudyDetail
 from worker import lease
+from worker.claim import claim
 from worker.sweeper import ORPHANED_AFTER_S, Sweeper, collect_orphans
 
 Submit = Callable[..., StudyDetail]
@@ -50,8 +51,7 @@ def test_orphans_are_collected(context: Context, submit: Submit, tmp_path: Path)
     for key in ("told/1-a.npz", "orphan/1-b.npz"):
         os.utime(tmp_path / "histories" / key, (long_ago, long_ago))
     with context.database.write() as session:
-        held = lease.claim(session, "test", 15.0)
-        assert held is not None
+        (held,) = claim(session, "test", 15.0)
         history = {"key": "told/1-a.npz", "digest": "d" * 64, "size_bytes": 7}
         assert lease.succeed(session, held, peaks=[], processing={}, history=history, cpu_s=0.0)
     with context.database.read() as session:

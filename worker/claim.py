@@ -1,0 +1,109 @@
+"""Claiming: the next case of the queue, and with it those that can ride along.
+
+Lanes of one block cost much less than as many single cases, so a worker takes several cases of one operator. The
+queue's order stays that of priority and then age: it decides which case is next, and riders come with it.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+from uuid import uuid4
+
+from sqlalchemy import Row, Select, func, select, update
+from sqlalchemy.orm import Session
+
+from app import events
+from app.db.models import Case
+from app.db.types import Clock
+from solver.block import MAX_LANES, lane_width
+from worker import presence
+from worker.lease import Lease
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim(Lease):
+    """A case that a worker may compute until its lease runs out."""
+
+    digest: str
+    inputs: dict[str, Any]
+
+
+def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES) -> list[Claim]:
+    """Take the next case, of the highest priority the oldest, and queued cases to compute with it.
+
+    Those have the same operator and the same priority, as they slow down whom they ride with. Neither they nor the
+    case that is next were tried before: what killed a worker is tried again alone, and kills no neighbour twice.
+
+    Parameters
+    ----------
+    session : Session
+        The transaction.
+    worker : str
+        Who takes them.
+    lease_s : float
+        How long the leases last, s.
+    lanes : int
+        How many cases to take at most.
+
+    Returns
+    -------
+    list of Claim
+        Empty if no case is queued.
+    """
+    first = _queued().order_by(Case.priority.desc(), Case.id).limit(1)
+    head = session.execute(first.with_for_update(skip_locked=True)).one_or_none()
+    if head is None:
+        return []
+    rows = [head, *_riders(session, head, _share(session, head, worker, lanes) - 1)]
+    rows.sort(key=lambda row: str(row.digest))  # the order in which they will be locked again and again
+    batch = [_take(session, row, worker, lease_s) for row in rows]
+    events.cases_started(session, [held.case_id for held in batch])
+    return batch
+
+
+def _queued() -> Select[Any]:
+    columns = Case.id, Case.digest, Case.inputs, Case.operator_key, Case.solver_version, Case.priority, Case.attempt
+    return select(*columns).where(Case.state == "queued")
+
+
+def _share(session: Session, head: Row[Any], worker: str, lanes: int) -> int:
+    """How many cases to take of those with the operator of the first, itself included.
+
+    Their number, queued or running, divided by that of the workers that are there: what others run is their part, so
+    the share stays the same until the last is claimed, also when two claim at once. It is rounded up to a width
+    that is compiled, as lanes left empty would be computed all the same.
+    """
+    if head.attempt > 0:
+        return 1
+    workers = presence.count_with(session, worker)
+    unfinished = select(Case.id).where(*_alike(head), Case.state.in_(["queued", "running"])).limit(lanes * workers)
+    cases = session.scalar(select(func.count()).select_from(unfinished.subquery())) or 1
+    return min(lanes, lane_width(math.ceil(cases / workers)))
+
+
+def _riders(session: Session, head: Row[Any], count: int) -> Sequence[Row[Any]]:
+    if count == 0:
+        return []
+    untried = _queued().where(*_alike(head), Case.attempt == 0, Case.id != head.id).order_by(Case.id).limit(count)
+    return session.execute(untried.with_for_update(skip_locked=True)).all()
+
+
+def _alike(head: Row[Any]) -> list[Any]:
+    return [getattr(Case, name) == getattr(head, name) for name in ("operator_key", "solver_version", "priority")]
+
+
+def _take(session: Session, row: Row[Any], worker: str, lease_s: float) -> Claim:
+    token = uuid4().hex
+    values = {
+        "state": "running",
+        "attempt": row.attempt + 1,
+        "lease_token": token,
+        "lease_expires": Clock() + lease_s,
+        "heartbeat_at": Clock(),
+        "started_at": Clock(),
+        "worker": worker,
+        "progress": 0.0,
+    }
+    session.execute(update(Case).where(Case.id == row.id).values(values))
+    return Claim(case_id=row.id, token=token, attempt=row.attempt + 1, digest=row.digest, inputs=row.inputs)

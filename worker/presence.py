@@ -1,0 +1,30 @@
+"""Who is there to compute: each worker says so from time to time, in the table ``worker``."""
+
+import os
+import socket
+
+from sqlalchemy import delete, func, select, update
+from sqlalchemy.orm import Session
+
+from app.db.models import Worker
+from app.db.types import Clock
+
+
+def own_name() -> str:
+    """The name of the worker that this process is."""
+    return f"{socket.gethostname()}:{os.getpid()}"
+
+
+def announce(session: Session, name: str, lasting_s: float) -> None:
+    """Say that a worker is there for some time, and forget those that have not said so again in theirs."""
+    expires = Clock() + lasting_s
+    known = update(Worker).where(Worker.name == name).values(expires=expires).returning(Worker.name)
+    if session.scalar(known) is None:
+        session.add(Worker(name=name, expires=expires))
+    session.execute(delete(Worker).where(Worker.expires < Clock(), Worker.name != name))
+
+
+def count_with(session: Session, name: str) -> int:
+    """How many workers there are, this one among them whether it has said so or not."""
+    others = select(func.count()).where(Worker.expires > Clock(), Worker.name != name)
+    return 1 + (session.scalar(others) or 0)
