@@ -39,7 +39,7 @@ CHANNELS: tuple[Channel, ...] = (
     *_channels("car_body_acceleration", "m/s^2", "car_body"),
     *_channels("bogie_acceleration", "m/s^2", "bogie_1", "bogie_2"),
     *_channels("wheelset_acceleration", "m/s^2", *WHEELSETS),
-    # Of all joints, that with the largest magnitude at the time; the moment is that at the pads next to a joint.
+    # Of all joints under the train, that with the largest magnitude at the time; the moment is at the pads next to it.
     *_channels("joint_opening", "m", ALL_JOINTS),
     *_channels("joint_slope_jump", "rad", ALL_JOINTS),
     *_channels("joint_shear", "N", ALL_JOINTS),

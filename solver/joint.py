@@ -33,6 +33,7 @@ from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
 
 _FADE = 1 - Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
 _XI = Polynomial([0, 1])
+WINDOW_TOLERANCE = 1e-10  # of a joint's window: the jumps are small, and windows are most of what joints cost
 
 
 def enrichment(s: Array, length: float, derivative: int = 0) -> Array:
@@ -99,6 +100,19 @@ class JointModel:
         """Element within a cell that holds a joint, and where in it."""
         return self.model.locate_in_cell(self.model.case.track.joint.position, phase)
 
+    def touched(self, phase: int) -> Array:
+        """Unknowns, from the first node on, that a joint touches: slab and base, and the rail at the pads."""
+        slab_and_base = (NODE * np.arange(self.nodes)[:, None] + np.arange(2 * SLAB, NODE)).ravel()
+        elements = [self._pad_place(phase, distance)[0] for distance in self.pads_ahead]
+        rail = [NODE * element + unknown for element in elements for unknown in (0, 1, NODE, NODE + 1)]
+        return np.r_[slab_and_base, np.array(rail, np.int64)]
+
+    def _pad_place(self, phase: int, distance: float) -> tuple[int, float]:
+        """Element and place in it of a pad at a distance ahead of the joint."""
+        _, xi = self.location(phase)
+        element, place = divmod(round(xi + distance / self.model.element.length, 9), 1.0)
+        return int(element), place
+
     def blocks(self, phase: int) -> Blocks:
         """Blocks at a phase; the first node is that before the joint."""
         blocks = Blocks(self.nodes)
@@ -107,7 +121,7 @@ class JointModel:
         for element in range(self.nodes - 1):
             self._integrate(blocks, element, xi)
         for distance in self.pads_ahead:
-            self._add_pad(blocks, xi, distance)
+            self._add_pad(blocks, phase, distance)
         blocks.own[1, 0, 0] += joint.shear_damping
         blocks.own[2, 0, 0] += joint.shear_stiffness
         return blocks
@@ -144,14 +158,14 @@ class JointModel:
         blocks.own[1] += t.mortar_damping * own
         blocks.own[2] += t.mortar_stiffness * own + bending * integral(e2, e2)
 
-    def _add_pad(self, blocks: Blocks, xi: float, distance: float) -> None:
+    def _add_pad(self, blocks: Blocks, phase: int, distance: float) -> None:
         """Add a pad at a distance ahead of the joint."""
         t, speed = self.model.case.track, self.model.case.speed
-        element, place = divmod(round(xi + distance / self.model.element.length, 9), 1.0)
+        element, place = self._pad_place(phase, distance)
         e = enrichment(np.array(distance), self.length)
         n, slope = self.model.shape(place), self.model.shape(place, 1)
         for beam, sign in ((RAIL, -1), (SLAB, 1)):
-            rows = NODE * int(element) + np.array([0, 1, NODE, NODE + 1]) + 2 * beam
+            rows = NODE * element + np.array([0, 1, NODE, NODE + 1]) + 2 * beam
             blocks.column[1, rows] += sign * t.pad_damping * np.outer(n, e)
             blocks.column[2, rows] += sign * t.pad_stiffness * np.outer(n, e)
             blocks.row[1, rows] += sign * t.pad_damping * np.outer(n, e)
@@ -172,6 +186,8 @@ class JointTemplates:
         Where in that element it stands.
     cell_shift : ndarray of int, shape (phases,)
         Cells that the joint of spacing 0 is ahead of the first wheel's cell, in the first cycle of phases.
+    rows : ndarray of int, shape (phases, rows)
+        Unknowns that a joint touches, from its first node on.
     column : ndarray, shape (phases, 2, rows, 2)
         Mass and damping: nodal rows, joint columns.
     row : ndarray, shape (phases, 2, rows, 2)
@@ -197,6 +213,7 @@ class JointTemplates:
     element: Array
     place: Array
     cell_shift: Array
+    rows: Array
     column: Array
     row: Array
     own: Array
@@ -217,6 +234,7 @@ class JointTemplates:
             element=integers,
             place=np.zeros(1),
             cell_shift=integers,
+            rows=np.zeros((1, 0), np.int64),
             column=blocks,
             row=blocks,
             own=np.zeros((2, 2, 2)),
@@ -237,23 +255,24 @@ def joint_templates(
     joints, case = JointModel(model), model.case
     per_cell, phases = case.numerics.elements_per_pad, case.phases
     factors = np.array([scheme.inertia, scheme.damping, 1.0])[:, None, None]
-    rows = NODE * joints.nodes
+    span = NODE * joints.nodes
     blocks = [joints.blocks(phase) for phase in range(phases)]
     element = np.array([joints.location(phase)[0] for phase in range(phases)])
+    rows = np.array([joints.touched(phase) for phase in range(phases)])
     probe = np.array([(factors * b.row).sum(axis=0) for b in blocks])
     middle = model.cells // 2
-    windows, lead, response = [], 0, np.empty((0, 2))
+    windows, lead, tail, response = [], 0, 0, np.empty((0, 2))
     for phase in range(phases):
         first = NODE * (middle * per_cell + element[phase])
         response = np.zeros((NODE * model.cells * per_cell, 2))
-        response[first : first + rows] = (factors * blocks[phase].column).sum(axis=0)
+        response[first : first + span] = (factors * blocks[phase].column).sum(axis=0)
         substitute(factors_of_track, block_of_cell[phase], response, (0.0, 0.0))
         if phase == 0:
-            lead = max(reach(response[:, j], first) for j in (0, 1)) + NODE
-        windows.append(response[first - lead : first + lead].copy())
+            lead, tail = np.max([reach(response[:, j], first, WINDOW_TOLERANCE) for j in (0, 1)], axis=0) + NODE
+        windows.append(response[first - lead : first + tail].copy())
     window = np.array(windows)
     own = (factors * blocks[0].own).sum(axis=0)
-    seen = np.einsum("pri,prj->pij", probe, window[:, lead : lead + rows])
+    seen = np.einsum("pri,prj->pij", probe, window[:, lead : lead + span])
     remainder = own - seen
     coupling, sweeps = _neighbours(remainder, probe, window, lead, NODE * per_cell * case.track.joint.pads_per_slab)
     bending = case.track.slab_elastic_modulus * case.track.slab_second_moment
@@ -261,12 +280,13 @@ def joint_templates(
         element=element,
         place=np.array([joints.location(phase)[1] for phase in range(phases)]),
         cell_shift=np.array([model.cell_shift(case.track.joint.position, phase) for phase in range(phases)]),
-        column=np.array([b.column[:2] for b in blocks]),
-        row=np.array([b.row[:2] for b in blocks]),
+        rows=rows,
+        column=np.array([b.column[:2, at] for b, at in zip(blocks, rows, strict=True)]),
+        row=np.array([b.row[:2, at] for b, at in zip(blocks, rows, strict=True)]),
         own=blocks[0].own[:2],
-        probe=probe,
+        probe=np.array([p[at] for p, at in zip(probe, rows, strict=True)]),
         window=window,
-        window_lead=lead,
+        window_lead=int(lead),
         remainder=remainder,
         coupling=coupling,
         sweeps=sweeps,
@@ -308,10 +328,11 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
         templates, first, count = JointTemplates.none(), 0, 0
     else:
         templates = joint_templates(model, scheme, factors, block_of_cell)
-        # Open where all is periodic: where factors have settled and windows do not reach the ends of the track.
-        reach_cells = -(-templates.window_lead // (NODE * per_cell)) + 1
-        first = int(block_of_cell[0, -1] - block_of_cell[0, 0]) + reach_cells
-        count = (model.cells - reach_cells - first) // joint.pads_per_slab
+        # Open where all is periodic, that is where factors have settled and windows do not reach the ends of the track,
+        # and not in the outer half of what absorbs, where a joint would only cost.
+        reach_cells = -(-templates.window.shape[1] // (NODE * per_cell))
+        first = max(int(block_of_cell[0, -1] - block_of_cell[0, 0]) + reach_cells, model.absorbing_cells // 2)
+        count = (model.cells - max(reach_cells, model.absorbing_cells // 2) - first) // joint.pads_per_slab
         _require_open_joints(model, first + LOCKED_CELLS, first + count * joint.pads_per_slab - LOCKED_CELLS)
     return Joints(
         **vars(templates),
@@ -319,6 +340,7 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
         first_cell=first,
         joints=count,
         pads_per_slab=joint.pads_per_slab,
+        slab_rows=NODE * per_cell * joint.pads_per_slab,
         elements_per_pad=per_cell,
         fade_elements=joints.length / model.element.length,
         fade_length=joints.length,

@@ -24,6 +24,7 @@ class Joints(NamedTuple):
     element: Array
     place: Array
     cell_shift: Array
+    rows: Array
     column: Array
     row: Array
     own: Array
@@ -38,6 +39,7 @@ class Joints(NamedTuple):
     first_cell: int
     joints: int
     pads_per_slab: int
+    slab_rows: int  # of the mesh, from joint to joint
     elements_per_pad: int
     fade_elements: float  # over which the shape functions fade
     fade_length: float  # the same, m
@@ -92,8 +94,9 @@ def shapes_at(c: Joints, step: int, element: int, xi: float, out: Array) -> int:
         First row of the joint, or -1 where none reaches.
     """
     first, n, d = first_joint(c, step), c.joints, c.fade_length
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        ahead = element + xi - joint_row(c, step, joint) / 6 - c.place[step % c.element.shape[0]]
+        ahead = element + xi - (start + (joint - first) * c.slab_rows) / 6 - c.place[step % c.element.shape[0]]
         s = ahead / c.fade_elements
         if 0.0 <= s < 1.0:
             fade = 1 - s**4 * (35 - s * (84 - s * (70 - 20 * s)))
@@ -110,8 +113,10 @@ def invert_joints(c: Joints, state: JointState, step: int) -> None:
     """Inverse of every joint's own equations; near the ends springs hold it that fade as it comes nearer."""
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
     m = c.remainder[phase]
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        cell = (joint_row(c, step, joint) / 6 + c.place[phase]) / c.elements_per_pad - c.first_cell
+        at = (start + (joint - first) * c.slab_rows) / 6 + c.place[phase]
+        cell = at / c.elements_per_pad - c.first_cell
         part = min(cell, n * c.pads_per_slab - cell) / LOCKED_CELLS
         held = 10.0 ** (LOCK_DECADES * (1 - 2 * part)) - 10.0**-LOCK_DECADES if part < 1 else 0.0
         a, d = m[0, 0] + held * c.lock[0], m[1, 1] + held * c.lock[1]
@@ -125,14 +130,15 @@ def invert_joints(c: Joints, state: JointState, step: int) -> None:
 def solve_joints(c: Joints, state: JointState, step: int, x: Array, lanes: Lanes) -> None:
     """Jumps of all joints for the track's displacements without them, which stay as they are."""
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
-    probe = c.probe[phase]
+    probe, rows = c.probe[phase], c.rows[phase]
     invert_joints(c, state, step)
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        slot, row = 2 * (joint % n), start + (joint - first) * c.slab_rows
         inverse = state.inverse[joint % n]
         h0, h1 = load(state.g, slot, lanes), load(state.g, slot + 1, lanes)
         for i in range(probe.shape[0]):
-            displacement = load(x, row + i, lanes)
+            displacement = load(x, row + rows[i], lanes)
             h0 = fma(-probe[i, 0], displacement, h0)
             h1 = fma(-probe[i, 1], displacement, h1)
         store(state.x, slot, fma(inverse[0, 0], h0, scale(inverse[0, 1], h1)))
@@ -176,17 +182,22 @@ def respond_to_wheels(
     """
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
     wheels, length = windows.shape
-    probe, response = c.probe[phase], state.response
+    probe, rows, response = c.probe[phase], c.rows[phase], state.response
     response[:] = 0.0
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        slot, row = 2 * (joint % n), start + (joint - first) * c.slab_rows
         inverse = state.inverse[joint % n]
         for wheel in range(wheels):
             begin = row - window_start[wheel]
             h0 = h1 = 0.0
-            for i in range(max(0, -begin), min(probe.shape[0], length - begin)):
-                h0 -= probe[i, 0] * windows[wheel, begin + i]
-                h1 -= probe[i, 1] * windows[wheel, begin + i]
+            if begin + 6 * probe.shape[0] < 0 or begin > length:
+                continue
+            for i in range(probe.shape[0]):
+                at = begin + rows[i]
+                if 0 <= at < length:
+                    h0 -= probe[i, 0] * windows[wheel, at]
+                    h1 -= probe[i, 1] * windows[wheel, at]
             response[slot, wheel] = inverse[0, 0] * h0 + inverse[0, 1] * h1
             response[slot + 1, wheel] = inverse[1, 0] * h0 + inverse[1, 1] * h1
     if c.sweeps:
@@ -203,8 +214,9 @@ def rail_under_wheels(c: Joints, step: int, wheel_row: Array, wheel_shape: Array
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
     window = c.window[phase]
     rail[:] = 0.0
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        slot, begin = 2 * (joint % n), joint_row(c, step, joint) - c.window_lead
+        slot, begin = 2 * (joint % n), start + (joint - first) * c.slab_rows - c.window_lead
         for wheel in range(wheel_row.shape[0]):
             at = wheel_row[wheel] - begin
             if at >= 0 and at + 8 <= window.shape[0]:
@@ -239,8 +251,9 @@ def open_joints(c: Joints, state: JointState, step: int, x: Array, force: Array,
 def advance_joints(k: Integrator, c: Joints, state: JointState, step: int, lanes: Lanes) -> None:
     """Update the predictors of all slots."""
     first, n = first_joint(c, step), c.joints
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        kept = c.kept_velocity[joint_row(c, step, joint) // 6]
+        kept = c.kept_velocity[(start + (joint - first) * c.slab_rows) // 6]
         slot = 2 * (joint % n)
         for unknown in range(slot, slot + 2):
             jump, pu = load(state.x, unknown, lanes), load(state.u, unknown, lanes)
@@ -270,18 +283,20 @@ def probe_track(
 ) -> None:
     """The joints' right-hand side of a step, from the track's state before it is advanced to that step."""
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
-    row_blocks = c.row[phase]
+    row_blocks, rows = c.row[phase], c.rows[phase]
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        slot, row = 2 * (joint % n), joint_row(c, step, joint)
+        slot, row = 2 * (joint % n), start + (joint - first) * c.slab_rows
         p0, q0, p1, q1 = _joint_load(k, state, slot, lanes)
         m, d = c.own[0], c.own[1]
         g0 = fma(m[0, 0], p0, fma(m[0, 1], p1, fma(d[0, 0], q0, scale(d[0, 1], q1))))
         g1 = fma(m[1, 0], p0, fma(m[1, 1], p1, fma(d[1, 0], q0, scale(d[1, 1], q1))))
         for i in range(row_blocks.shape[1]):
-            pu = load(u, row + i, lanes)
-            displacement = load(x, row + i, lanes)
+            at = row + rows[i]
+            pu = load(u, at, lanes)
+            displacement = load(x, at, lanes)
             new = scale(k.acceleration, subtract(displacement, pu))
-            velocity = fma(k.velocity, new, load(v, row + i, lanes))
+            velocity = fma(k.velocity, new, load(v, at, lanes))
             pu = fma(k.step, velocity, fma(k.drift, new, displacement))
             pv = fma(k.kick, new, velocity)
             p = fma(-k.alpha, new, scale(k.inertia, pu))
@@ -307,11 +322,12 @@ def _joint_load(k: Integrator, state: JointState, slot: int, lanes: Lanes) -> tu
 def load_track(k: Integrator, c: Joints, state: JointState, step: int, r: Array, lanes: Lanes) -> None:
     """Add what the joints contribute to the track's right-hand side of a step."""
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
-    column = c.column[phase]
+    column, rows = c.column[phase], c.rows[phase]
+    start = joint_row(c, step, first)
     for joint in range(first, first + n):
-        row = joint_row(c, step, joint)
+        row = start + (joint - first) * c.slab_rows
         p0, q0, p1, q1 = _joint_load(k, state, 2 * (joint % n), lanes)
         for i in range(column.shape[1]):
             change = fma(column[0, i, 0], p0, scale(column[0, i, 1], p1))
             change = fma(column[1, i, 0], q0, fma(column[1, i, 1], q1, change))
-            store(r, row + i, add(load(r, row + i, lanes), change))
+            store(r, row + rows[i], add(load(r, row + rows[i], lanes), change))

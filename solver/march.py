@@ -158,6 +158,7 @@ def march(
     accelerations = np.empty(SIZE)
     rail = np.empty((WHEELS, eta.shape[2]))
     compliance = np.empty((WHEELS, WHEELS))
+    shapes = np.empty((2, 2))
     pads = np.empty((sensors.pads, eta.shape[2]))
     phases = op.block_of_cell.shape[0]
     for s in range(eta.shape[0]):
@@ -178,5 +179,6 @@ def march(
             for wheel in range(WHEELS):
                 out[s, lane, wheel] = state.force[wheel, lane]
             record_track(k, sensors, op, state, lane, out[s, lane])
-            record_joints(k, sensors, op, joints, state, joint_state, step, lane, out[s, lane])
+        if joints.joints > 0:
+            record_joints(k, sensors, op, joints, state, joint_state, step, shapes, out[s])
         record_pads(k, sensors, joints, state, joint_state, step, pads, out[s], lanes)

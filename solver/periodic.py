@@ -93,7 +93,7 @@ def _windows(model: TrackModel, wheels: Array, blocks: Array, table: Array) -> t
         response: Array = loads.copy()
         substitute(blocks, block_of_cell, response, lanes)
         if phase == 0:
-            half = max(reach(response[:, j], row) for j, (row, _) in enumerate(points))
+            half = max(max(reach(response[:, j], row)) for j, (row, _) in enumerate(points))
             start = np.array([max(0, row - half) for row, _ in points])
             start = np.minimum(start, len(loads) - min(2 * half, len(loads)))
             windows = np.empty((len(table), len(wheels), min(2 * half, len(loads))))
@@ -104,9 +104,9 @@ def _windows(model: TrackModel, wheels: Array, blocks: Array, table: Array) -> t
     return start, windows, compliance
 
 
-def reach(response: Array, row: int) -> int:
-    """Rows on either side of a row beyond which a response is below the tolerance."""
-    size = np.abs(response.reshape(-1, 2)).max(axis=0)  # displacements and slopes
-    significant = np.flatnonzero((np.abs(response.reshape(-1, 2)) > WINDOW_TOLERANCE * size).any(axis=1)) * 2
-    reach = max(row - significant[0], significant[-1] - row) + 2 * NODE
-    return int(-(-reach // NODE) * NODE)
+def reach(response: Array, row: int, tolerance: float = WINDOW_TOLERANCE) -> tuple[int, int]:
+    """Rows before and from a row on beyond which a response is below a part of its largest entries, in whole nodes."""
+    by_kind = np.abs(response.reshape(-1, 2))  # displacements and slopes
+    significant = np.flatnonzero((by_kind > tolerance * by_kind.max(axis=0)).any(axis=1)) * 2
+    before, after = row - significant[0] + 2 * NODE, significant[-1] - row + 2 * NODE
+    return int(-(-before // NODE) * NODE), int(-(-after // NODE) * NODE)

@@ -108,39 +108,55 @@ def record_joints(
     state: State,
     joint_state: JointState,
     step: int,
-    lane: int,
+    shapes: Array,
     out: Array,
 ) -> None:
-    """What the joints add under the first wheel; of all joints the largest jumps, shear and moment at the next pads."""
-    shapes = np.empty((2, 2))
-    slot = -1
-    if joints.joints > 0:
-        slot = shapes_at(joints, step, op.wheel_row[0] // 6, op.wheel_place[0], shapes)
+    """What the joints add under the first wheel; the largest jumps, shear and moment of those under the train.
+
+    ``shapes`` (2, 2) is room to work in, ``out`` has shape (lanes, channels).
+    """
+    slot = shapes_at(joints, step, op.wheel_row[0] // 6, op.wheel_place[0], shapes)
     if slot >= 0:
-        for i in range(2):
-            out[SLAB_CHANNEL] += shapes[0, i] * joint_state.x[slot + i, lane]
-            out[SLAB_CHANNEL + 1] += shapes[0, i] * joint_state.reported[slot + i, lane]
-            out[MOMENT_CHANNEL] -= c.slab_bending * shapes[1, i] * joint_state.x[slot + i, lane]
-    for i in range(4):
-        out[JOINTS + i] = 0.0
+        for lane in range(out.shape[0]):
+            for i in range(2):
+                out[lane, SLAB_CHANNEL] += shapes[0, i] * joint_state.x[slot + i, lane]
+                out[lane, SLAB_CHANNEL + 1] += shapes[0, i] * joint_state.reported[slot + i, lane]
+                out[lane, MOMENT_CHANNEL] -= c.slab_bending * shapes[1, i] * joint_state.x[slot + i, lane]
+    out[:, JOINTS : JOINTS + 4] = 0.0
     phases = c.element.shape[0]
     first_pad = c.number[step % phases] + step // phases
     first, n = first_joint(joints, step), joints.joints
     for joint in range(first, first + n):
-        row = 2 * (joint % n)
-        jump, turn = joint_state.x[row, lane], joint_state.x[row + 1, lane]
-        rate = joint_state.v[row, lane] - k.kick * joint_state.a[row, lane]
-        shear = joints.shear_stiffness * jump + joints.shear_damping * rate
         pad = joint * joints.pads_per_slab - first_pad  # behind the joint
-        behind = ahead = 0.0
         if pad >= 0 and pad + 1 < c.pads:
-            behind = _moment(c, state, step % phases, pad, lane)
-            opened = c.joint_curvature[0] * jump + c.joint_curvature[1] * turn
-            ahead = _moment(c, state, step % phases, pad + 1, lane) - c.slab_bending * opened
-        moment = ahead if abs(ahead) > abs(behind) else behind
-        for i, value in enumerate((jump, turn, shear, moment)):
-            if abs(value) > abs(out[JOINTS + i]):
-                out[JOINTS + i] = value
+            for lane in range(out.shape[0]):
+                _record_joint(k, c, joints, state, joint_state, step % phases, 2 * (joint % n), pad, lane, out)
+
+
+@compiled
+def _record_joint(
+    k: Integrator,
+    c: Sensors,
+    joints: Joints,
+    state: State,
+    joint_state: JointState,
+    phase: int,
+    row: int,
+    pad: int,
+    lane: int,
+    out: Array,
+) -> None:
+    """Keep what a joint has more of than those before."""
+    jump, turn = joint_state.x[row, lane], joint_state.x[row + 1, lane]
+    rate = joint_state.v[row, lane] - k.kick * joint_state.a[row, lane]
+    shear = joints.shear_stiffness * jump + joints.shear_damping * rate
+    behind = _moment(c, state, phase, pad, lane)
+    opened = c.joint_curvature[0] * jump + c.joint_curvature[1] * turn
+    ahead = _moment(c, state, phase, pad + 1, lane) - c.slab_bending * opened
+    moment = ahead if abs(ahead) > abs(behind) else behind
+    for i, value in enumerate((jump, turn, shear, moment)):
+        if abs(value) > abs(out[lane, JOINTS + i]):
+            out[lane, JOINTS + i] = value
 
 
 @compiled
