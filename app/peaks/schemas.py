@@ -16,7 +16,7 @@ class PeakRow(Conditions):
     quantity: str
     position: str
     unit: str
-    peak: float = Field(description="Largest magnitude; for wheel-rail forces the maximum.")
+    peak: float = Field(description="Largest magnitude; for wheel-rail and pad forces the maximum.")
     maximum: float
     minimum: float
     mean: float

@@ -132,7 +132,7 @@ def expected_deviation(case: Case) -> Array:
 def percentiles() -> Finding:
     """In the linear regime the dynamic part grows as the square root of -log(1 - p)."""
     low, high = (make_case(irregularity=replace(RANDOM, percentile=p), numerics=QUICK) for p in (1e-6, 4e-6))
-    smooth, one, two = solved([make_case(irregularity=Smooth(), numerics=QUICK), low, high])
+    (smooth,), (one, two) = solved([make_case(irregularity=Smooth(), numerics=QUICK)]), solved([low, high])
     first, second = ((r.values - smooth.values)[:11] for r in (one, two))  # of forces and track
     worst = max(float(np.abs(b - 2 * a).max() / np.abs(b).max()) for a, b in zip(first, second, strict=True))
     return Finding(rows=[Bound(what="largest deviation from twice the response", ours=100 * worst, high=0.2, unit="%")])
