@@ -328,11 +328,12 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
         templates, first, count = JointTemplates.none(), 0, 0
     else:
         templates = joint_templates(model, scheme, factors, block_of_cell)
-        # Open where all is periodic, that is where factors have settled and windows do not reach the ends of the track,
-        # and not in the outer half of what absorbs, where a joint would only cost.
-        reach_cells = -(-templates.window.shape[1] // (NODE * per_cell))
-        first = max(int(block_of_cell[0, -1] - block_of_cell[0, 0]) + reach_cells, model.absorbing_cells // 2)
-        count = (model.cells - max(reach_cells, model.absorbing_cells // 2) - first) // joint.pads_per_slab
+        # Open where all is periodic: where factors have settled and windows do not reach the ends of the track.
+        rows = NODE * per_cell
+        settled = int(block_of_cell[0, -1] - block_of_cell[0, 0])
+        first = settled + math.ceil(templates.window_lead / rows) + 1
+        ahead = math.ceil((templates.window.shape[1] - templates.window_lead) / rows) + 1
+        count = (model.cells - ahead - first) // joint.pads_per_slab
         _require_open_joints(model, first + LOCKED_CELLS, first + count * joint.pads_per_slab - LOCKED_CELLS)
     return Joints(
         **vars(templates),

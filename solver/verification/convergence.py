@@ -178,7 +178,7 @@ def track_length() -> Finding:
         changes = {
             f"joints, {speed} km/h, {length:g} m instead of 360 m": {"track_length": length} for length in lengths
         }
-        found = _changed(base, changes, _tolerances(0.002, 0.001, 0.001, 0.005))
+        found = _changed(base, changes, _tolerances(0.002, 0.001, 0.002, 0.01))
         rows += [row for row in found if any(f" {length:g} m" in row.what for length in (140, 200))]
         worst = [
             max(abs(r.difference) for r in found if isinstance(r, Comparison) and f" {length:g} m instead" in r.what)
