@@ -21,6 +21,8 @@ What the solver answers beside answers found in other ways. Written by
 
 """
 
+STYLE = {"svg.hashsalt": "tracksweep", "svg.fonttype": "none", "font.size": 9}  # the same bytes for the same numbers
+
 
 def write_report(folder: Path, found: Sequence[tuple[Check, Finding]]) -> Path:
     """Write ``verification.md`` and its pictures.
@@ -75,22 +77,22 @@ def _section(pictures: Path, check: Check, finding: Finding) -> str:
     for number, plot in enumerate(finding.plots):
         path = pictures / f"{_anchor(check.title)}-{number + 1}.svg"
         path.parent.mkdir(exist_ok=True)
-        _draw(plot).savefig(path, bbox_inches="tight", metadata={"Date": None})
+        with mpl.rc_context(STYLE):
+            _draw(plot).savefig(path, bbox_inches="tight", metadata={"Date": None})
         text += f"\n![{plot.y_label} over {plot.x_label}]({pictures.name}/{path.name})\n"
     return text
 
 
 def _draw(plot: Plot) -> Figure:
-    with mpl.rc_context({"svg.hashsalt": "tracksweep", "svg.fonttype": "none", "font.size": 9}):
-        figure = Figure(figsize=(6.5, 3.2))
-        axes = figure.subplots()
-        for curve in plot.curves:
-            axes.plot(np.asarray(curve.x), np.asarray(curve.y), curve.style, label=curve.label or None, linewidth=1)
-        if plot.logarithmic:
-            axes.set_yscale("log")
-            if plot.x_label.endswith((", m", ", s")):
-                axes.set_xscale("log")
-        axes.set(xlabel=plot.x_label, ylabel=plot.y_label)
-        axes.grid(alpha=0.3, which="both")
-        axes.legend(fontsize=7)
-        return figure
+    figure = Figure(figsize=(6.5, 3.2))
+    axes = figure.subplots()
+    for curve in plot.curves:
+        axes.plot(np.asarray(curve.x), np.asarray(curve.y), curve.style, label=curve.label or None, linewidth=1)
+    if plot.logarithmic:
+        axes.set_yscale("log")
+        if plot.x_label.endswith((", m", ", s")):
+            axes.set_xscale("log")
+    axes.set(xlabel=plot.x_label, ylabel=plot.y_label)
+    axes.grid(alpha=0.3, which="both")
+    axes.legend(fontsize=7)
+    return figure
