@@ -21,8 +21,6 @@ What the solver answers beside answers found in other ways. Written by
 
 """
 
-STYLE = {"svg.hashsalt": "tracksweep", "svg.fonttype": "none", "font.size": 9}  # the same bytes for the same numbers
-
 
 def write_report(folder: Path, found: Sequence[tuple[Check, Finding]]) -> Path:
     """Write ``verification.md`` and its pictures.
@@ -77,7 +75,8 @@ def _section(pictures: Path, check: Check, finding: Finding) -> str:
     for number, plot in enumerate(finding.plots):
         path = pictures / f"{_anchor(check.title)}-{number + 1}.svg"
         path.parent.mkdir(exist_ok=True)
-        with mpl.rc_context(STYLE):
+        # The same bytes for the same numbers, and text as text.
+        with mpl.rc_context({"svg.hashsalt": "tracksweep", "svg.fonttype": "none", "font.size": 9}):
             _draw(plot).savefig(path, bbox_inches="tight", metadata={"Date": None})
         text += f"\n![{plot.y_label} over {plot.x_label}]({pictures.name}/{path.name})\n"
     return text
