@@ -91,9 +91,9 @@ def _optional(cls: type, field: DataclassField[Any], hint: Any) -> tuple[Any, An
         hint = Annotated[hint, bounded(cls, field.name)]
     if field.default is not MISSING:
         return hint, Field(default=field.default)
-    return hint, Field(default=None, json_schema_extra=_without_default)
+    return hint, Field(default=None, json_schema_extra=without_default)
 
 
-def _without_default(schema: dict[str, Any]) -> None:
+def without_default(schema: dict[str, Any]) -> None:
     """Leave out of the schema a default that only means `not given`."""
     schema.pop("default", None)

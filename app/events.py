@@ -1,4 +1,9 @@
-"""What happens to studies, written down in the transaction that makes it happen."""
+"""What happens to studies, written down in the transaction that makes it happen.
+
+Whoever records an event of a study that others can see has locked the study's row, and holds the lock until the
+commit. So the events of one study become visible in the order of their numbers, although PostgreSQL hands out numbers
+before it is known who commits first, and a follower who asks for all after the last one seen misses none.
+"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -10,6 +15,8 @@ from app.db.models import Case, CaseState, Event, EventKind, Study, StudyCase
 from app.db.types import Clock
 from app.studies import repository
 
+LIVE = Study.cancel_requested_at.is_(None)  # a study that was cancelled hears no more of cases it shares
+
 
 def record(session: Session, study_id: str, kind: EventKind, payload: dict[str, Any]) -> None:
     """Write one event."""
@@ -20,7 +27,7 @@ def record(session: Session, study_id: str, kind: EventKind, payload: dict[str, 
 def cases_started(session: Session, case_ids: Sequence[int]) -> None:
     """A worker took cases: studies in which they are the first are running."""
     containing = select(StudyCase.study_id).where(StudyCase.case_id.in_(case_ids))
-    waiting = select(Study.id).where(Study.started_at.is_(None), Study.id.in_(containing)).order_by(Study.id)
+    waiting = select(Study.id).where(Study.started_at.is_(None), Study.id.in_(containing), LIVE).order_by(Study.id)
     for study_id in session.scalars(waiting.with_for_update(key_share=True)).all():
         session.execute(update(Study).where(Study.id == study_id).values(started_at=Clock()))
         record(session, study_id, "state", {"state": "running"})
@@ -35,7 +42,7 @@ def case_ended(session: Session, case_id: int, state: CaseState) -> None:
     studies = (
         select(Study.id)
         .join(StudyCase, StudyCase.study_id == Study.id)
-        .where(StudyCase.case_id == case_id)
+        .where(StudyCase.case_id == case_id, LIVE)
         .order_by(Study.id)
         .with_for_update(key_share=True, of=Study)
     )
@@ -50,7 +57,12 @@ def finish_if_done(session: Session, study_id: str) -> None:
     if session.scalar(select(exists(cases.where(Case.state.in_(["queued", "running"]))))):
         return
     session.execute(update(Study).where(Study.id == study_id).values(finished_at=Clock()))
-    row = repository.find(session, study_id)
-    if row is not None:
-        record(session, study_id, "state", {"state": row.state})
-        record(session, study_id, "done", {"state": row.state})
+    state = state_now(session, study_id)
+    record(session, study_id, "done", {"state": state})
+
+
+def state_now(session: Session, study_id: str) -> str:
+    """Write down the state that a study has come to. Returns it."""
+    state = str(session.execute(repository.overview(StudyCase.study_id == study_id)).one().state)
+    record(session, study_id, "state", {"state": state})
+    return state

@@ -30,7 +30,10 @@ def document(app: FastAPI) -> dict[str, Any]:
 
 
 def _document_problems(path: str, operation: dict[str, Any]) -> None:
-    problems = ALWAYS | (WITH_BODY if "requestBody" in operation else {}) | (WITH_PATH if "{" in path else {})
+    declared = {status: each["description"] for status, each in operation["responses"].items() if status >= "400"}
+    problems = (
+        ALWAYS | declared | (WITH_BODY if "requestBody" in operation else {}) | (WITH_PATH if "{" in path else {})
+    )
     content = {MEDIA_TYPE: {"schema": {"$ref": REFERENCE.format(model="ProblemDetails")}}}
     responses = operation["responses"] | {
         status: {"description": reason, "content": content} for status, reason in problems.items()

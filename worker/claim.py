@@ -1,7 +1,7 @@
 """Claiming: the next case of the queue, and with it those that can ride along.
 
 Lanes of one block cost much less than as many single cases, so a worker takes several cases of one operator. The
-queue's order stays that of priority and then age: it decides which case is next, and riders come with it.
+order of the queue (app/cases/queue.py) decides which case is next, and riders come with it.
 """
 
 import math
@@ -30,7 +30,7 @@ class Claim(Lease):
 
 
 def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES) -> list[Claim]:
-    """Take the next case, of the highest priority the oldest, and queued cases to compute with it.
+    """Take the next case of the queue, and queued cases to compute with it.
 
     Those have the same operator and the same priority, as they slow down whom they ride with. Neither they nor the
     case that is next were tried before: what killed a worker is tried again alone, and kills no neighbour twice.
@@ -51,7 +51,7 @@ def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES)
     list of Claim
         Empty if no case is queued.
     """
-    first = _queued().order_by(Case.priority.desc(), Case.id).limit(1)
+    first = _queued().order_by(Case.priority.desc(), Case.turn, Case.id).limit(1)
     head = session.execute(first.with_for_update(skip_locked=True)).one_or_none()
     if head is None:
         return []

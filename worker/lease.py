@@ -5,6 +5,9 @@
        ^              |
        +--------------+  release, give_up, lease expired
 
+Either of the first two becomes cancelled when no live study wants it any more, and each of the last three can be
+queued again (app/cases/queue.py).
+
 Every claim has a token. Whoever writes to a running case must hold it; a worker that was given up on, and
 comes back late, finds it changed and writes nothing.
 """
@@ -45,7 +48,7 @@ def wants_history(session: Session, case_id: int) -> bool:
     wanting = (
         select(Study.id)
         .join(StudyCase, StudyCase.study_id == Study.id)
-        .where(StudyCase.case_id == case_id, Study.keep_history)
+        .where(StudyCase.case_id == case_id, Study.keep_history, events.LIVE)
     )
     kept = select(History.case_id).where(History.case_id == case_id)
     return bool(session.scalar(select(exists(wanting) & ~exists(kept))))

@@ -1,6 +1,8 @@
 """What a crash leaves behind: leases that ran out, bells that were lost, histories nobody tells of."""
 
+import math
 import threading
+import time
 
 import structlog
 from sqlalchemy import delete, exists, select
@@ -75,11 +77,7 @@ class Sweeper:
         self._database.close()
 
     def _run(self) -> None:
-        try:
-            with self._database.read() as session:
-                collect_orphans(session, self._histories)
-        except (SQLAlchemyError, *STORE_ERRORS) as error:
-            log.warning("orphans not collected", error=str(error))
+        collected_at = -math.inf
         while True:
             try:
                 with self._database.write() as session:
@@ -87,7 +85,11 @@ class Sweeper:
                     queued = sweep(session, self._settings.max_attempts)
                 if queued:
                     self._doorbell.ring()
-            except SQLAlchemyError as error:
+                if time.monotonic() - collected_at > ORPHANED_AFTER_S:
+                    collected_at = time.monotonic()
+                    with self._database.read() as session:
+                        collect_orphans(session, self._histories)
+            except (SQLAlchemyError, *STORE_ERRORS) as error:
                 log.warning("sweep failed", error=str(error))
             if self._over.wait(self._pause_s):
                 return

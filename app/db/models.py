@@ -19,6 +19,8 @@ from app.db.types import BigKey, Clock
 CaseState = Literal["queued", "running", "succeeded", "failed", "cancelled"]
 StudyState = Literal["queued", "running", "cancelling", "succeeded", "partially_failed", "failed", "cancelled"]
 EventKind = Literal["state", "case", "done"]
+VerificationState = Literal["queued", "running", "succeeded", "failed"]
+VerificationOutcome = Literal["same", "differs"]
 
 
 class Base(DeclarativeBase):
@@ -63,11 +65,12 @@ class Case(Base):
         CheckConstraint(f"state IN ({', '.join(map(repr, get_args(CaseState)))})", name="state"),
     )
 
-    id: Mapped[int] = mapped_column(BigKey, primary_key=True)  # ascending, so the order of age within the queue
+    id: Mapped[int] = mapped_column(BigKey, primary_key=True)
     digest: Mapped[str] = mapped_column(String(64))
     solver_version: Mapped[str]
     operator_key: Mapped[str] = mapped_column(String(64))  # equal for cases that can be computed side by side
     inputs: Mapped[dict[str, Any]]  # Case.to_dict(), SI
+    work: Mapped[float | None]  # unknowns times steps; null in rows older than this column
 
     speed_kmh: Mapped[float]
     slab: Mapped[str]
@@ -83,6 +86,7 @@ class Case(Base):
 
     state: Mapped[CaseState] = mapped_column(default="queued")
     priority: Mapped[int]
+    turn: Mapped[int] = mapped_column(BigKey, server_default="0")  # place in the queue, see app/cases/queue.py
     attempt: Mapped[int] = mapped_column(default=0)  # with the token, fences out a worker that lost its lease
     lease_token: Mapped[str | None] = mapped_column(String(32))
     lease_expires: Mapped[float | None]
@@ -97,7 +101,7 @@ class Case(Base):
     finished_at: Mapped[float | None]
 
 
-Index("ix_case_queue", Case.state, Case.priority.desc(), Case.id)
+Index("ix_case_queue", Case.state, Case.priority.desc(), Case.turn, Case.id)
 Index("ix_case_operator", Case.operator_key, Case.state, Case.priority, Case.id)
 
 
@@ -150,6 +154,26 @@ class History(Base):
     key: Mapped[str]
     digest: Mapped[str] = mapped_column(String(64))  # SHA-256 of the object
     size_bytes: Mapped[int] = mapped_column(BigKey)
+
+
+class Verification(Base):
+    """A case computed once more, to see whether it still gives the stored numbers."""
+
+    __tablename__ = "verification"
+    __table_args__ = (Index(None, "case_id", "id"), Index(None, "state", "id"))
+
+    id: Mapped[int] = mapped_column(BigKey, primary_key=True)
+    case_id: Mapped[int] = mapped_column(ForeignKey("case.id", ondelete="CASCADE"))
+    state: Mapped[VerificationState] = mapped_column(String(16), default="queued")
+    attempt: Mapped[int] = mapped_column(default=0)
+    lease_token: Mapped[str | None] = mapped_column(String(32))
+    lease_expires: Mapped[float | None]
+    requested_at: Mapped[float] = mapped_column(default=Clock())
+    finished_at: Mapped[float | None]
+    solver_version: Mapped[str | None]
+    outcome: Mapped[VerificationOutcome | None] = mapped_column(String(16))
+    differences: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))  # largest, by quantity
+    error: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))  # {"code", "detail"}
 
 
 class Event(Base):

@@ -40,7 +40,6 @@ def overview(*of: ColumnElement[bool]) -> Select[Any]:
     n = tally.c
     unfinished = n.queued + n.running > 0
     state = case(
-        (and_(Study.cancel_requested_at.is_not(None), n.running > 0), "cancelling"),
         (Study.cancel_requested_at.is_not(None), "cancelled"),
         (and_(unfinished, or_(n.running > 0, Study.started_at.is_not(None))), "running"),
         (unfinished, "queued"),

@@ -4,12 +4,12 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request, Response
 
-from app.conditional import respond
+from app.conditional import CONDITIONAL_CHANGE, IfMatchHeader, check_match, edition, respond
 from app.context import ContextDep
 from app.idempotency import IdempotencyKeyHeader
 from app.requests import JsonRoute
-from app.studies import service
-from app.studies.schemas import StudyDetail, StudyPage, StudyQuery, StudyRequest
+from app.studies import lifecycle, service
+from app.studies.schemas import StudyDetail, StudyPage, StudyPatch, StudyQuery, StudyRequest
 
 router = APIRouter(prefix="/v1/studies", tags=["studies"], route_class=JsonRoute)
 
@@ -38,4 +38,39 @@ def get_study(study_id: StudyId, context: ContextDep, request: Request) -> Respo
     """Get one study: its state, how many cases are in which state, and when it will be finished."""
     with context.database.read() as session:
         study = service.get(session, study_id)
-    return respond(request, study.model_dump_json().encode(), "application/json")
+    return _respond(request, study)
+
+
+@router.patch("/{study_id}", response_model=StudyDetail, responses=CONDITIONAL_CHANGE)
+def update_study(
+    study_id: StudyId, patch: StudyPatch, context: ContextDep, request: Request, if_match: IfMatchHeader = None
+) -> Response:
+    """Change a study's name, labels or priority. A case of several studies has the highest of their priorities."""
+    study = lifecycle.update(context, study_id, patch, lambda current: check_match(if_match, _edition(current)))
+    return _respond(request, study)
+
+
+@router.post("/{study_id}/cancel")
+def cancel_study(study_id: StudyId, context: ContextDep) -> StudyDetail:
+    """Cancel what is left of a study. Cases that others want go on. A study that has ended stays as it is."""
+    return lifecycle.cancel(context, study_id)
+
+
+@router.post("/{study_id}/retry")
+def retry_study(study_id: StudyId, context: ContextDep) -> StudyDetail:
+    """Queue the failed and cancelled cases of a study once more. Where there are none, nothing changes."""
+    return lifecycle.retry(context, study_id)
+
+
+@router.delete("/{study_id}", status_code=204, responses={409: {"description": "Not ended yet"}})
+def delete_study(study_id: StudyId, context: ContextDep) -> None:
+    """Delete a study that has ended, with the histories that no other study keeps. Peaks stay, as do shared cases."""
+    lifecycle.remove(context, study_id)
+
+
+def _edition(study: StudyDetail) -> str:
+    return edition(study.name, sorted(study.labels.items()), study.priority)
+
+
+def _respond(request: Request, study: StudyDetail) -> Response:
+    return respond(request, study.model_dump_json().encode(), "application/json", _edition(study))

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AwareDatetime, BaseModel, Field, StringConstraints
 
+from app.boundary import Strict, without_default
 from app.cases.schemas import Model
 from app.db.models import StudyState
 from app.pagination import PageQuery
@@ -15,15 +16,17 @@ PRINTABLE = r"^[^\x00-\x1f\x7f]*$"  # PostgreSQL stores no NUL, and nobody wants
 
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200, pattern=PRINTABLE)]
 Label = Annotated[str, StringConstraints(min_length=1, max_length=63, pattern=PRINTABLE)]
+MAX_LABELS = 64
 LabelValue = Annotated[str, StringConstraints(max_length=255, pattern=PRINTABLE)]
+Priority = Annotated[int, Field(ge=-100, le=100, description="Cases of a higher priority are computed first.")]
 
 
 class StudyRequest(Model):
     """A parametric study: a sweep of one model."""
 
     name: Name
-    labels: dict[Label, LabelValue] = Field(default_factory=dict, max_length=64)
-    priority: int = Field(default=0, ge=-100, le=100, description="Cases of a higher priority are computed first.")
+    labels: dict[Label, LabelValue] = Field(default_factory=dict, max_length=MAX_LABELS)
+    priority: Priority = 0
     sweep: ProductSweep
     keep_history: bool = Field(default=False, description="Whether to store the time histories of every case.")
 
@@ -36,6 +39,16 @@ class StudyRequest(Model):
             If values that are valid by themselves are not together.
         """
         return list(self.sweep.expand(self.parts()))
+
+
+class StudyPatch(Strict):
+    """Changes to a study, as a JSON merge patch (RFC 7396): what is left out stays, a label of null is removed."""
+
+    name: Name = Field(default=None, json_schema_extra=without_default)
+    labels: dict[Label, LabelValue | None] = Field(
+        default_factory=dict, max_length=2 * MAX_LABELS, description=f"At most {MAX_LABELS} may remain."
+    )
+    priority: Priority = Field(default=None, json_schema_extra=without_default)
 
 
 def pointer_to_parameter(parameter: str) -> str:

@@ -6,10 +6,11 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 from uuid import uuid4
 
-from sqlalchemy import Row, insert, select, text
+from sqlalchemy import Row, insert, select
 from sqlalchemy.orm import Session
 
 from app import events, idempotency
+from app.cases import queue
 from app.cases.repository import enqueue, row_of
 from app.context import Context
 from app.db.models import Study, StudyCase
@@ -29,8 +30,6 @@ from app.studies.schemas import (
 from solver.case import Case
 from solver.quantity import InvalidParameterError
 
-_ACCEPTING = 4_250_962_617_395_811  # PostgreSQL's lock while a study is accepted; any number
-
 
 def create(context: Context, request: StudyRequest, key: str | None) -> StudyDetail:
     """Accept a study: store it, queue its cases, wake a worker.
@@ -44,7 +43,7 @@ def create(context: Context, request: StudyRequest, key: str | None) -> StudyDet
     rows = {row["digest"]: row for row in (row_of(case, request.priority) for case in cases)}
     digest = hashlib.sha256(request.model_dump_json().encode()).hexdigest()
     with context.database.write() as session:
-        _accept_one_at_a_time(session)
+        queue.one_at_a_time(session)
         if key is not None and (answer := idempotency.recall(session, key, digest)) is not None:
             return StudyDetail.model_validate(answer)
         study = get(session, _store(session, request, rows))
@@ -96,14 +95,9 @@ def list_page(session: Session, query: StudyQuery, max_page_size: int) -> StudyP
     return StudyPage(items=[StudySummary.model_validate(_summary(row)) for row in rows], next_cursor=cursor)
 
 
-def _accept_one_at_a_time(session: Session) -> None:
-    """What SQLite's write lock does anyway: two studies that share new cases must not both insert them."""
-    if session.get_bind().dialect.name == "postgresql":
-        session.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": _ACCEPTING})
-
-
 def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, Any]]) -> str:
-    ids, reused = enqueue(session, rows, keep_history=request.keep_history)
+    begin = queue.next_turn(session, request.priority)
+    enqueued = enqueue(session, rows, begin, keep_history=request.keep_history)
     study = Study(
         id=uuid4().hex,
         name=request.name,
@@ -111,13 +105,14 @@ def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, An
         priority=request.priority,
         keep_history=request.keep_history,
         request=request.model_dump(mode="json", exclude_unset=True),
-        cases_reused=reused,
+        cases_reused=enqueued.reused,
     )
     session.add(study)
     session.flush()  # before the rows that refer to it
     events.record(session, study.id, "state", {"state": "queued"})
-    places = [{"study_id": study.id, "case_id": ids[digest], "position": n} for n, digest in enumerate(rows)]
+    places = [{"study_id": study.id, "case_id": enqueued.ids[digest], "position": n} for n, digest in enumerate(rows)]
     session.execute(insert(StudyCase), places)
+    queue.line_up(session, study.id, enqueued.to_line_up, request.priority, begin)
     events.finish_if_done(session, study.id)
     return study.id
 
@@ -125,12 +120,11 @@ def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, An
 def _summary(row: Row[Any]) -> dict[str, Any]:
     columns = {name: getattr(row.Study, name) for name in StudySummary.model_fields if hasattr(row.Study, name)}
     counts = {name: getattr(row, name) for name in CaseCounts.model_fields}
-    unfinished = counts["queued"] + counts["running"] > 0
     return columns | {
         "state": row.state,
         "progress": row.progress,
         "cases": counts,
-        "finished_at": None if unfinished else row.Study.finished_at,
+        "finished_at": None if row.state in ("queued", "running") else row.Study.finished_at,
     }
 
 
@@ -139,7 +133,7 @@ def _estimate(session: Session, row: Row[Any]) -> FinishEstimate | None:
 
     The interval is twice the standard deviation of a sum of that many independent cases.
     """
-    if row.mean_s is None or row.queued + row.running == 0:
+    if row.mean_s is None or row.state not in ("queued", "running"):
         return None
     cases = (1 - row.progress) * row.total + repository.cases_ahead(session, row.Study.id, row.Study.priority)
     at_once = max(1, repository.cases_at_once(session))
