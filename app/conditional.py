@@ -6,7 +6,7 @@ the whole.
 """
 
 import hashlib
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import Header, Request, Response
 
@@ -20,7 +20,10 @@ IfMatchHeader = Annotated[
         "such as progress, does not count.",
     ),
 ]
-CONDITIONAL_CHANGE = {412: {"description": "Changed by somebody else"}, 428: {"description": "If-Match is missing"}}
+CONDITIONAL_CHANGE: dict[int | str, dict[str, Any]] = {
+    412: {"description": "Changed by somebody else"},
+    428: {"description": "If-Match is missing"},
+}
 
 
 def is_known(request: Request, etag: str) -> bool:

@@ -41,14 +41,18 @@ class StudyRequest(Model):
         return list(self.sweep.expand(self.parts()))
 
 
+def _left_out(**more: Any) -> Any:
+    return Field(default=None, json_schema_extra=without_default, **more)
+
+
 class StudyPatch(Strict):
     """Changes to a study, as a JSON merge patch (RFC 7396): what is left out stays, a label of null is removed."""
 
-    name: Name = Field(default=None, json_schema_extra=without_default)
-    labels: dict[Label, LabelValue | None] = Field(
-        default_factory=dict, max_length=2 * MAX_LABELS, description=f"At most {MAX_LABELS} may remain."
+    name: Name = _left_out()
+    labels: dict[Label, LabelValue | None] = _left_out(
+        max_length=2 * MAX_LABELS, description=f"At most {MAX_LABELS} may remain."
     )
-    priority: Priority = Field(default=None, json_schema_extra=without_default)
+    priority: Priority = _left_out()
 
 
 def pointer_to_parameter(parameter: str) -> str:

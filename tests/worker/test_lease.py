@@ -99,14 +99,14 @@ def test_the_last_two_cases_end_at_once(database: Database, submit: Submit) -> N
         assert session.scalar(select(func.count()).where(Event.kind == "done")) == 10
 
 
-def test_order_is_priority_and_then_age(database: Database, submit: Submit) -> None:
+def test_order_is_priority_and_then_turn(database: Database, submit: Submit) -> None:
     submit(200, 210)
     submit(220, priority=5)
     submit(230, 210, priority=1)  # lends its priority to the case that both want
     speeds = []
     for _ in range(4):
         speeds.append(get(database, claim(database).case_id).speed_kmh)
-    assert speeds == [220, 210, 230, 200]
+    assert speeds == [220, 230, 210, 200]
 
 
 def test_nothing_to_claim(database: Database) -> None:
