@@ -74,12 +74,16 @@ def _section(pictures: Path, check: Check, finding: Finding) -> str:
         text += f"| {row.what} | {' | '.join(row.cells())} | {verdict} |\n"
     for number, plot in enumerate(finding.plots):
         path = pictures / f"{_anchor(check.title)}-{number + 1}.svg"
-        path.parent.mkdir(exist_ok=True)
-        # The same bytes for the same numbers, and text as text.
-        with mpl.rc_context({"svg.hashsalt": "tracksweep", "svg.fonttype": "none", "font.size": 9}):
-            _draw(plot).savefig(path, bbox_inches="tight", metadata={"Date": None})
+        write_picture(path, plot)
         text += f"\n![{plot.y_label} over {plot.x_label}]({pictures.name}/{path.name})\n"
     return text
+
+
+def write_picture(path: Path, plot: Plot) -> None:
+    """Draw a plot into an SVG file: the same bytes for the same numbers, and text as text."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with mpl.rc_context({"svg.hashsalt": "tracksweep", "svg.fonttype": "none", "font.size": 9}):
+        _draw(plot).savefig(path, bbox_inches="tight", metadata={"Date": None})
 
 
 def _draw(plot: Plot) -> Figure:
