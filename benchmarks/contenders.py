@@ -29,7 +29,7 @@ AGREEMENT = 1e-8  # largest relative difference between peaks
 HOW = """A round lets every contender take some steps, one after the other; figures are medians over {rounds} rounds,
 ± half the distance between the quartiles. The usual ways are timed twice: by itself the track's part, which is to
 assemble the matrix (where that is done in every step), the right-hand side `M p + C q` and the solution for it; and the
-whole step with contact, vehicle and recording, in NumPy. Ours is always the whole step, recording of all channels included.
+whole step with contact, vehicle and recording, in NumPy. Ours is always the whole step, with all channels recorded.
 **Ratios divide the track's part of the usual way by our whole step**, so they are lower bounds.
 
 Before anything is timed, all march {steps} steps from rest over the same wave, and the peaks of contact forces,
