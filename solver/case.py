@@ -3,7 +3,7 @@
 import hashlib
 import json
 import math
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 from solver.quantity import Checked, InvalidParameterError, quantity
@@ -13,6 +13,7 @@ from solver.railhead import (
     Harmonic,
     Irregularity,
     Measured,
+    Profiles,
     Smooth,
     Spectral,
     Sum,
@@ -233,19 +234,38 @@ class Case(Checked):
                 f"({MIN_ELEMENTS} elements each), is {n.elements_per_pad}",
             )
 
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers, strings and dicts in SI units, from which :meth:`from_dict` gives an equal case."""
-        parts = {name: asdict(part) for name, part in vars(self).items() if name in ("track", "vehicle", "numerics")}
-        irregularity = irregularity_to_dict(self.irregularity)
-        return {"speed": self.speed, "slab": self.slab, "irregularity": irregularity, **parts}
+    def to_dict(self, *, samples: bool = True) -> dict[str, Any]:
+        """Plain numbers, strings and dicts in SI units, from which :meth:`from_dict` gives an equal case.
+
+        Parameters
+        ----------
+        samples : bool
+            Whether measured profiles are written out, or only named by their digest.
+        """
+        return {
+            "speed": self.speed,
+            "slab": self.slab,
+            "irregularity": irregularity_to_dict(self.irregularity, samples=samples),
+            "track": vars(self.track) | {"joint": dict(vars(self.track.joint))},
+            "vehicle": dict(vars(self.vehicle)),
+            "numerics": dict(vars(self.numerics)),
+        }
 
     @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "Case":
-        """The case of a :meth:`to_dict`."""
+    def from_dict(cls, data: dict[str, Any], profiles: Profiles | None = None) -> "Case":
+        """The case of a :meth:`to_dict`.
+
+        Parameters
+        ----------
+        data : dict
+            The case.
+        profiles : callable, optional
+            Positions and heights of a measured profile by its digest, where they are not written out.
+        """
         return cls(
             speed=data["speed"],
             slab=data["slab"],
-            irregularity=irregularity_from_dict(data["irregularity"]),
+            irregularity=irregularity_from_dict(data["irregularity"], profiles),
             track=Track(**data["track"] | {"joint": Joint(**data["track"]["joint"])}),
             vehicle=Vehicle(**data["vehicle"]),
             numerics=Numerics(**data["numerics"]),
@@ -253,18 +273,14 @@ class Case(Checked):
 
     def operator_key(self) -> str:
         """SHA-256 of what cases must share to be solved side by side: track, speed, slab, numerics, axle positions."""
-        shared = {
-            "track": asdict(self.track),
-            "speed": self.speed,
-            "slab": self.slab,
-            "numerics": asdict(self.numerics),
-            "axles": [self.vehicle.half_bogie_distance, self.vehicle.half_wheelbase],
-        }
-        return _sha256(self._without_joints(shared))
+        case = self.to_dict(samples=False)
+        shared = {name: case[name] for name in ("track", "speed", "slab", "numerics")}
+        axles = [self.vehicle.half_bogie_distance, self.vehicle.half_wheelbase]
+        return _sha256(self._without_joints(shared | {"axles": axles}))
 
     def digest(self) -> str:
         """SHA-256, as 64 hexadecimal digits, of the canonical JSON: equal for equal physics, on any machine."""
-        return _sha256(self._without_joints(self.to_dict()))
+        return _sha256(self._without_joints(self.to_dict(samples=False)))
 
     def _without_joints(self, data: dict[str, Any]) -> dict[str, Any]:
         """Leave out what a continuous slab does not have."""

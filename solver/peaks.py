@@ -8,13 +8,9 @@ import numpy as np
 from solver import indices
 from solver.arrays import Array
 from solver.channels import Channel
+from solver.observables import OBSERVABLES
 from solver.simulate import Response
 from solver.vehicle import static_wheel_load
-
-# Quantities whose peak is their maximum; of the others it is the largest magnitude.
-_ONE_SIDED = frozenset(
-    {"wheel_rail_force", "wheel_rail_force_20hz", "wheel_unloading", "contact_loss", "pad_force", "pad_uplift"}
-)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,26 +59,31 @@ def _histories(response: Response) -> Iterator[tuple[Channel, Array]]:
     yield from recorded
     for channel, values in recorded:
         if channel.quantity == "wheel_rail_force":
-            yield replace(channel, quantity="wheel_rail_force_20hz"), indices.low_pass(values, step)
-            yield replace(channel, quantity="wheel_unloading", unit="1"), (load - values) / load
-            yield replace(channel, quantity="contact_loss", unit="1"), indices.contact_lost(values).astype(float)
+            yield _derived(channel, "wheel_rail_force_20hz"), indices.low_pass(values, step)
+            yield _derived(channel, "wheel_unloading"), (load - values) / load
+            yield _derived(channel, "contact_loss"), indices.contact_lost(values).astype(float)
         elif channel.quantity == "car_body_acceleration":
-            yield replace(channel, quantity="car_body_acceleration_comfort"), indices.comfort_band(values, step)
+            yield _derived(channel, "car_body_acceleration_comfort"), indices.comfort_band(values, step)
 
 
 def _indices(histories: list[tuple[Channel, Array]], step: float) -> Iterator[tuple[Channel, Array]]:
     """Values that sum up a history."""
     for channel, values in histories:
         if channel.quantity == "wheel_rail_force":
-            yield replace(channel, quantity="wheel_rail_force_quantile"), _quantile(values)
+            yield _derived(channel, "wheel_rail_force_quantile"), _quantile(values)
             losses = indices.contact_losses(values, step)
             events = np.array([float(np.count_nonzero(losses))])
-            yield replace(channel, quantity="contact_loss_events", unit="1"), events
-            yield replace(channel, quantity="contact_loss_duration", unit="s"), losses
+            yield _derived(channel, "contact_loss_events"), events
+            yield _derived(channel, "contact_loss_duration"), losses
         elif channel.quantity == "wheel_rail_force_20hz":
-            yield replace(channel, quantity="wheel_rail_force_20hz_quantile"), _quantile(values)
+            yield _derived(channel, "wheel_rail_force_20hz_quantile"), _quantile(values)
         elif channel.quantity == "car_body_acceleration":
-            yield replace(channel, quantity="sperling_index", unit="1"), indices.sperling(values, step)
+            yield _derived(channel, "sperling_index"), indices.sperling(values, step)
+
+
+def _derived(channel: Channel, quantity: str) -> Channel:
+    """The channel of what is derived from another."""
+    return replace(channel, quantity=quantity, unit=OBSERVABLES[quantity].unit)
 
 
 def _quantile(values: Array) -> Array:
@@ -90,7 +91,7 @@ def _quantile(values: Array) -> Array:
 
 
 def _peak(response: Response, channel: Channel, values: Array) -> Peak:
-    size = values if channel.quantity in _ONE_SIDED else np.abs(values)
+    size = values if OBSERVABLES[channel.quantity].peak == "maximum" else np.abs(values)
     at = int(np.argmax(size))
     summary = _of_values(response, channel, values)
     time, position = float(response.time[at]), float(response.track_position[at])

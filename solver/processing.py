@@ -3,6 +3,7 @@
 from typing import Any
 
 from solver import indices
+from solver.observables import OBSERVABLES
 from solver.simulate import Response
 
 # What the signs and the quantities of the channels mean.
@@ -10,10 +11,10 @@ CONVENTIONS = {
     "direction": "displacements and accelerations are positive downwards",
     "track_accelerations": "of the material under the first wheelset; rail_acceleration_moving_frame of the point that "
     "moves with it",
-    "wheel_rail_force": "of one wheel; compression is positive",
-    "slab_moment": "of half the slab; positive where the underside is stretched",
-    "pad_force": "of one pad; compression is positive",
-    "roadbed_pressure": "of half the base per length of track, N/m; compression is positive",
+    **{
+        name: OBSERVABLES[name].convention
+        for name in ("wheel_rail_force", "slab_moment", "pad_force", "roadbed_pressure")
+    },
 }
 
 

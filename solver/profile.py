@@ -4,14 +4,14 @@ import math
 import re
 
 from solver.quantity import InvalidParameterError
-from solver.railhead import MAX_POINTS
+from solver.railhead import FARTHEST, HIGHEST, MAX_POINTS, Samples
 
 _UNITS = {"m": 1.0, "mm": 1e-3}
 _UNIT = re.compile(r"(?<![^\W_])(m|mm|cm|µm|μm|um|km|in|ft)(?![^\W_])", re.IGNORECASE)
 _SEPARATOR = re.compile(r"\s*[,;\t]\s*|\s+")
 
 
-def read_profile(text: str) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def read_profile(text: str) -> Samples:
     """Positions and heights, m, as :class:`solver.case.Measured` takes them.
 
     Parameters
@@ -38,6 +38,9 @@ def read_profile(text: str) -> tuple[tuple[float, ...], tuple[float, ...]]:
         x, height = (value * unit for value, unit in zip(_numbers(n, line), scale, strict=True))
         if points and x <= points[-1][0]:
             raise InvalidParameterError(f"line {n}", f"must lie beyond {points[-1][0]:g} m, is {x:g} m")
+        if abs(x) > FARTHEST or abs(height) > HIGHEST:
+            bounds = f"must lie within {FARTHEST:g} m along the track and {HIGHEST:g} m of height"
+            raise InvalidParameterError(f"line {n}", f"{bounds}, is {x:g} m and {height:g} m; mind the units")
         points.append((x, height))
     return tuple(x for x, _ in points), tuple(height for _, height in points)
 

@@ -1,7 +1,11 @@
 """Irregularities of the rail head that a case may have, positive downwards, in SI units, frozen and checked."""
 
+import hashlib
 import math
+import struct
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, is_dataclass
+from functools import cached_property
 from itertools import combinations, pairwise
 from typing import Any
 
@@ -10,9 +14,13 @@ from solver.spectrum import SPECTRUM_KINDS, AnySpectrum, Table
 
 LONGEST = 400.0  # m of wavelength
 FARTHEST = 1e6  # m along the track
-MAX_POINTS = 200_000
+HIGHEST = 0.1  # m of deviation of a measured profile
+MIN_POINTS, MAX_POINTS = 16, 200_000
 MAX_TERMS = 10
 ROUNDING = 1e-6  # relative, in positions and frequencies that were written in decimals
+
+Samples = tuple[tuple[float, ...], tuple[float, ...]]  # positions and heights, m
+Profiles = Callable[[str], Samples]  # by digest
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,9 +111,9 @@ class Measured(Banded):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        positions = floats("irregularity.positions_m", self.positions, -FARTHEST, FARTHEST, 16, MAX_POINTS)
+        positions = floats("irregularity.positions_m", self.positions, -FARTHEST, FARTHEST, MIN_POINTS, MAX_POINTS)
         count = len(positions)
-        heights = floats("irregularity.heights_m", self.heights, -0.1, 0.1, count, count)
+        heights = floats("irregularity.heights_m", self.heights, -HIGHEST, HIGHEST, count, count)
         object.__setattr__(self, "positions", positions)
         object.__setattr__(self, "heights", heights)
         for n, (here, there) in enumerate(pairwise(positions), 1):
@@ -117,6 +125,11 @@ class Measured(Banded):
                 )
         if positions[-1] - positions[0] < self.wavelength_max * (1 - ROUNDING):
             raise self._band_error(f"must not be longer than the profile, {positions[-1] - positions[0]:g} m")
+
+    @cached_property
+    def profile(self) -> str:
+        """Digest of positions and heights, which name them where they are not written out."""
+        return profile_digest(self.positions, self.heights)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,27 +187,45 @@ IRREGULARITY_KINDS: dict[str, type[Irregularity]] = {
 _KIND_OF: dict[type, str] = {cls: kind for kind, cls in (IRREGULARITY_KINDS | SPECTRUM_KINDS).items()}
 
 
-def irregularity_to_dict(irregularity: Irregularity) -> dict[str, Any]:
-    """Plain numbers, strings, lists and dicts, with the kind of every irregularity and spectrum."""
-    data: dict[str, Any] = _plain(irregularity)
+def profile_digest(positions: Sequence[float], heights: Sequence[float]) -> str:
+    """SHA-256, as 64 hexadecimal digits, of a measured profile: equal for equal numbers, on any machine."""
+    return hashlib.sha256(struct.pack(f"<{2 * len(positions)}d", *positions, *heights)).hexdigest()
+
+
+def irregularity_to_dict(irregularity: Irregularity, *, samples: bool = True) -> dict[str, Any]:
+    """Plain numbers, strings, lists and dicts, with the kind of every irregularity and spectrum.
+
+    Parameters
+    ----------
+    irregularity : Irregularity
+        What to write.
+    samples : bool
+        Whether measured profiles are written out, or only named by their digest.
+    """
+    data: dict[str, Any] = _plain(irregularity, samples)
     return data
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Any, samples: bool) -> Any:
     if is_dataclass(value):
-        return {"kind": _KIND_OF[type(value)]} | {f.name: _plain(getattr(value, f.name)) for f in fields(value)}
+        names = [f.name for f in fields(value)]
+        if isinstance(value, Measured) and not samples:
+            names = [name for name in names if name not in ("positions", "heights")] + ["profile"]
+        return {"kind": _KIND_OF[type(value)]} | {name: _plain(getattr(value, name), samples) for name in names}
     if isinstance(value, tuple):
-        return [_plain(each) for each in value] if value and is_dataclass(value[0]) else list(value)
+        return [_plain(each, samples) for each in value] if value and is_dataclass(value[0]) else list(value)
     return value
 
 
-def irregularity_from_dict(data: dict[str, Any]) -> Irregularity:
-    """The irregularity of an :func:`irregularity_to_dict`."""
+def irregularity_from_dict(data: dict[str, Any], profiles: Profiles | None = None) -> Irregularity:
+    """The irregularity of an :func:`irregularity_to_dict`; ``profiles`` finds what is only named."""
     values = dict(data)
     cls = IRREGULARITY_KINDS[values.pop("kind")]
     if isinstance(spectrum := values.get("spectrum"), dict):
         own = dict(spectrum)
         values["spectrum"] = SPECTRUM_KINDS[own.pop("kind")](**own)
+    if profiles is not None and "profile" in values:
+        values["positions"], values["heights"] = profiles(values.pop("profile"))
     if cls is Sum:
-        values["terms"] = tuple(irregularity_from_dict(term) for term in values["terms"])
+        values["terms"] = tuple(irregularity_from_dict(term, profiles) for term in values["terms"])
     return cls(**values)

@@ -160,3 +160,15 @@ def test_a_whole_number_of_steps_leads_from_pad_to_pad(speed, time_step):
     )
     assert case.time_step <= time_step * (1 + 1e-9)
     assert case.time_step * case.phases * case.speed == pytest.approx(0.65, rel=1e-12)
+
+
+def test_a_measured_profile_may_be_named_by_its_digest(make_case):
+    measured = Measured(**BAND, positions=tuple(range(41)), heights=(0, 1e-3, 0, -1e-3) * 10 + (0,))
+    shelf = {measured.profile: (measured.positions, measured.heights)}
+    for irregularity in (measured, Sum(terms=(Dip(position=10.0, length=1.0, depth=5e-4), measured))):
+        case = make_case(irregularity=irregularity)
+        written = json.dumps(case.to_dict(samples=False))
+        assert "positions" not in written
+        again = Case.from_dict(json.loads(written), shelf.__getitem__)
+        assert (again, again.digest()) == (case, case.digest())
+    assert replace(measured, heights=(1e-3, *measured.heights[1:])).profile != measured.profile

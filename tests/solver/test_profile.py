@@ -28,9 +28,9 @@ def test_two_columns_in_metres(separator):
     ],
 )
 def test_a_header_may_name_the_units(header, scale):
-    positions, heights = read_profile(f"\ufeff{header}\r\n1,2\r\n\r\n# a remark\r\n3,4\r\n")
+    positions, heights = read_profile(f"\ufeff{header}\r\n1,0.02\r\n\r\n# a remark\r\n3,-0.04\r\n")
     assert positions == pytest.approx((1 * scale[0], 3 * scale[0]))
-    assert heights == pytest.approx((2 * scale[1], 4 * scale[1]))
+    assert heights == pytest.approx((0.02 * scale[1], -0.04 * scale[1]))
 
 
 @pytest.mark.parametrize(
