@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, get_type_hints
 
 from pydantic import BaseModel, ConfigDict, Field, create_model
 
-from solver.quantity import quantities
+from solver.quantity import Quantity, quantities
 
 
 class Strict(BaseModel):
@@ -30,6 +30,11 @@ def bounded(cls: type, name: str, scale: float = 1.0, unit: str | None = None) -
         The unit at the boundary, if another than inside.
     """
     q = next(q for inside, _, q in quantities(cls) if inside == name)
+    return described(q, scale, unit)
+
+
+def described(q: Quantity, scale: float = 1.0, unit: str | None = None) -> Any:
+    """The same of a quantity."""
     bounds = {bound: value if scale == 1 else round(value * scale, 9) for bound, value in q.bounds().items()}
     description = ", ".join(filter(None, [q.meaning[0].upper() + q.meaning[1:], unit or q.unit])) + "."
     ge, gt, le, lt = map(bounds.get, ("ge", "gt", "le", "lt"))

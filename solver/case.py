@@ -242,14 +242,8 @@ class Case(Checked):
         samples : bool
             Whether measured profiles are written out, or only named by their digest.
         """
-        return {
-            "speed": self.speed,
-            "slab": self.slab,
-            "irregularity": irregularity_to_dict(self.irregularity, samples=samples),
-            "track": vars(self.track) | {"joint": dict(vars(self.track.joint))},
-            "vehicle": dict(vars(self.vehicle)),
-            "numerics": dict(vars(self.numerics)),
-        }
+        irregularity = irregularity_to_dict(self.irregularity, samples=samples)
+        return {**self._of_operator(), "irregularity": irregularity, "vehicle": dict(vars(self.vehicle))}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any], profiles: Profiles | None = None) -> "Case":
@@ -273,14 +267,21 @@ class Case(Checked):
 
     def operator_key(self) -> str:
         """SHA-256 of what cases must share to be solved side by side: track, speed, slab, numerics, axle positions."""
-        case = self.to_dict(samples=False)
-        shared = {name: case[name] for name in ("track", "speed", "slab", "numerics")}
         axles = [self.vehicle.half_bogie_distance, self.vehicle.half_wheelbase]
-        return _sha256(self._without_joints(shared | {"axles": axles}))
+        return _sha256(self._without_joints({**self._of_operator(), "axles": axles}))
 
     def digest(self) -> str:
         """SHA-256, as 64 hexadecimal digits, of the canonical JSON: equal for equal physics, on any machine."""
         return _sha256(self._without_joints(self.to_dict(samples=False)))
+
+    def _of_operator(self) -> dict[str, Any]:
+        # Not dataclasses.asdict: it copies every number deeply, and studies have thousands of cases.
+        return {
+            "speed": self.speed,
+            "slab": self.slab,
+            "track": vars(self.track) | {"joint": dict(vars(self.track.joint))},
+            "numerics": dict(vars(self.numerics)),
+        }
 
     def _without_joints(self, data: dict[str, Any]) -> dict[str, Any]:
         """Leave out what a continuous slab does not have."""

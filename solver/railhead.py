@@ -12,7 +12,7 @@ from typing import Any
 from solver.quantity import Checked, InvalidParameterError, floats, quantity
 from solver.spectrum import SPECTRUM_KINDS, AnySpectrum, Table
 
-LONGEST = 400.0  # m of wavelength
+SHORTEST, LONGEST = 0.1, 400.0  # m of wavelength
 FARTHEST = 1e6  # m along the track
 HIGHEST = 0.1  # m of deviation of a measured profile
 MIN_POINTS, MAX_POINTS = 16, 200_000
@@ -54,8 +54,8 @@ class Banded(Checked):
 
     _path = "irregularity."
 
-    wavelength_min: float = quantity("m", "shortest wavelength", ge=0.1, le=LONGEST)
-    wavelength_max: float = quantity("m", "longest wavelength", ge=0.1, le=LONGEST)
+    wavelength_min: float = quantity("m", "shortest wavelength", ge=SHORTEST, le=LONGEST)
+    wavelength_max: float = quantity("m", "longest wavelength", ge=SHORTEST, le=LONGEST)
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -1,17 +1,18 @@
 """Irregularities as people write them: m and mm, own spectra in SI units with their convention."""
 
 from abc import abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Field, StringConstraints, Tag
 
 from app.boundary import Strict, bounded
 from solver.case import Dip, Harmonic, Irregularity, Measured, Smooth, Spectral, Sum
 from solver.catalogue import SPECTRA
 from solver.quantity import InvalidParameterError
+from solver.railhead import LONGEST, MAX_TERMS, MIN_POINTS, SHORTEST, Profiles, Samples
 from solver.railhead import MAX_POINTS as MAX_PROFILE
-from solver.railhead import MAX_TERMS
 from solver.spectrum import MAX_POINTS, SPECTRUM_KINDS, AnySpectrum, Per, Rational, Sides
 
 # The conversion is part of a case's digest: another expression for the same number can round differently.
@@ -21,6 +22,7 @@ Percentile = Annotated[float, bounded(Spectral, "percentile")]
 Wavelength = Annotated[float, bounded(Harmonic, "wavelength")]
 AmplitudeMm = Annotated[float, bounded(Harmonic, "amplitude", 1 / M_PER_MM, "mm")]
 Seed = Annotated[int, bounded(Spectral, "seed")]
+ProfileId = Annotated[str, StringConstraints(pattern="^[0-9a-f]{64}$")]
 
 if TYPE_CHECKING:  # what is made at run time, as far as a type checker needs to know
     SpectrumName: TypeAlias = str
@@ -93,17 +95,33 @@ SpectrumChoice = Annotated[
 ]
 
 
-def chosen_spectrum(choice: str | OwnSpectrum) -> str | AnySpectrum:
+def chosen_spectrum(choice: str | OwnSpectrum | AnySpectrum) -> str | AnySpectrum:
     """As the solver takes it."""
-    return choice if isinstance(choice, str) else choice.spectrum()
+    return choice.spectrum() if isinstance(choice, OwnSpectrum) else choice
 
 
-class Single(Strict):
-    """One irregularity, which is also a sweep of one."""
+class Irregularities(Strict):
+    """One irregularity or many of one kind, each chosen by a value on every axis."""
+
+    def axes(self) -> dict[str, Sequence[Any]]:
+        """What is listed, by the name of its field."""
+        return {}
+
+    @property
+    def repeats(self) -> int:
+        """How many irregularities there are for one value on every axis."""
+        return 1
 
     @abstractmethod
-    def irregularity(self) -> Irregularity:
-        """As the solver takes it.
+    def chosen(self, values: Mapping[str, Any], profiles: Profiles) -> Iterator[Irregularity]:
+        """The irregularities of one value on every axis, as the solver takes them.
+
+        Parameters
+        ----------
+        values : mapping
+            Value on each of the axes.
+        profiles : callable
+            Positions and heights of a stored profile by its identifier.
 
         Raises
         ------
@@ -111,13 +129,17 @@ class Single(Strict):
             If values that are valid by themselves are not together.
         """
 
-    def count(self) -> int:
-        """How many there are."""
-        return 1
 
-    def expand(self) -> Iterator[Irregularity]:
-        """Every irregularity."""
-        yield self.irregularity()
+class Single(Irregularities):
+    """One irregularity."""
+
+    @abstractmethod
+    def irregularity(self, profiles: Profiles) -> Irregularity:
+        """As the solver takes it; see :meth:`chosen`."""
+
+    def chosen(self, values: Mapping[str, Any], profiles: Profiles) -> Iterator[Irregularity]:
+        """Itself."""
+        yield self.irregularity(profiles)
 
 
 class SmoothRail(Single):
@@ -125,7 +147,7 @@ class SmoothRail(Single):
 
     kind: Literal["none"]
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
         return Smooth()
 
@@ -137,7 +159,7 @@ class HarmonicWave(Single):
     wavelength_m: Wavelength
     amplitude_mm: AmplitudeMm
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
         return Harmonic(wavelength=self.wavelength_m, amplitude=self.amplitude_mm * M_PER_MM)
 
@@ -152,7 +174,7 @@ class SpectrumSample(Single):
     seed: Seed = 1
     realisation: Annotated[int, bounded(Spectral, "realisation")] = 0
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
         return Spectral(
             spectrum=chosen_spectrum(self.spectrum),
@@ -172,7 +194,7 @@ class SingleDip(Single):
     length_m: Annotated[float, bounded(Dip, "length")]
     depth_mm: Annotated[float, bounded(Dip, "depth", 1 / M_PER_MM, "mm")]
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
         return Dip(position=self.position_m, length=self.length_m, depth=self.depth_mm * M_PER_MM)
 
@@ -181,11 +203,11 @@ class MeasuredProfile(Single):
     """Measured heights, positive downwards, of which a band of wavelengths is used."""
 
     kind: Literal["measured"]
-    positions_m: list[float] = Field(description="Increasing positions.", min_length=16, max_length=MAX_PROFILE)
-    heights_m: list[float] = Field(description="Heights there.", min_length=16, max_length=MAX_PROFILE)
+    positions_m: list[float] = Field(description="Increasing positions.", min_length=MIN_POINTS, max_length=MAX_PROFILE)
+    heights_m: list[float] = Field(description="Heights there.", min_length=MIN_POINTS, max_length=MAX_PROFILE)
     wavelength_band_m: Band
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
         return Measured(
             positions=tuple(self.positions_m),
@@ -195,41 +217,77 @@ class MeasuredProfile(Single):
         )
 
 
+class StoredProfile(Single):
+    """A stored profile, of which a band of wavelengths is used: all that it holds if none is given."""
+
+    kind: Literal["measured"]
+    profile_id: ProfileId
+    wavelength_band_m: Band | None = None
+
+    def irregularity(self, profiles: Profiles) -> Irregularity:
+        """As the solver takes it."""
+        try:
+            positions, heights = profiles(self.profile_id)
+        except KeyError:
+            raise InvalidParameterError("irregularity.profile_id", "names no stored profile") from None
+        band = self.wavelength_band_m or whole_band(positions)
+        try:
+            return Measured(positions=positions, heights=heights, wavelength_min=band.min, wavelength_max=band.max)
+        except InvalidParameterError as error:  # of samples that are fine by themselves: too few for this band
+            if not error.parameter.startswith("irregularity.positions_m"):
+                raise
+            sample = error.parameter.rpartition(".")[2]
+            raise InvalidParameterError(
+                "irregularity.wavelength_band_m", f"is too short for the profile: sample {sample} {error.problem}"
+            ) from None
+
+
 class SumOf(Single):
     """Several irregularities added up."""
 
     kind: Literal["sum"]
-    terms: list[Annotated[HarmonicWave | SpectrumSample | SingleDip, Field(discriminator="kind")]] = Field(
-        min_length=1, max_length=MAX_TERMS
+    terms: list[Annotated[HarmonicWave | SpectrumSample | SingleDip | StoredProfile, Field(discriminator="kind")]] = (
+        Field(min_length=1, max_length=MAX_TERMS)
     )
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
-        return _sum(self.terms)
+        return _sum(self.terms, profiles)
 
 
 class SumWithMeasured(Single):
-    """Several irregularities added up, measured ones too."""
+    """Several irregularities added up, measured ones with their samples."""
 
     kind: Literal["sum"]
     terms: list[Annotated[HarmonicWave | SpectrumSample | SingleDip | MeasuredProfile, Field(discriminator="kind")]] = (
         Field(min_length=1, max_length=MAX_TERMS)
     )
 
-    def irregularity(self) -> Irregularity:
+    def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""
-        return _sum(self.terms)
+        return _sum(self.terms, profiles)
 
 
-def _sum(terms: Sequence[Single]) -> Sum:
+def whole_band(positions: Sequence[float]) -> Band:
+    """The widest band of a profile that the solver takes: from twice its widest gap to its length."""
+    widest = max(there - here for here, there in pairwise(positions))
+    return Band.model_construct(min=max(SHORTEST, 2 * widest), max=min(LONGEST, positions[-1] - positions[0]))
+
+
+def _sum(terms: Sequence[Single], profiles: Profiles) -> Sum:
     solver_terms: list[Any] = []
     for n, term in enumerate(terms):
         try:
-            solver_terms.append(term.irregularity())
+            solver_terms.append(term.irregularity(profiles))
         except InvalidParameterError as error:
             inside = error.parameter.removeprefix("irregularity.")
             raise InvalidParameterError(f"irregularity.terms.{n}.{inside}", error.problem) from None
     return Sum(terms=tuple(solver_terms))
+
+
+def no_profiles(profile_id: str) -> Samples:
+    """Where no profiles are stored."""
+    raise KeyError(profile_id)
 
 
 def at_boundary(irregularity: dict[str, Any]) -> dict[str, Any]:
@@ -244,6 +302,8 @@ def at_boundary(irregularity: dict[str, Any]) -> dict[str, Any]:
     for name in ("amplitude", "depth"):
         if name in outside:
             outside[f"{name}_mm"] = round(outside.pop(name) / M_PER_MM, 9)
+    if "profile" in outside:
+        outside["profile_id"] = outside.pop("profile")
     if "wavelength_min" in outside:
         outside["wavelength_band_m"] = {"min": outside.pop("wavelength_min"), "max": outside.pop("wavelength_max")}
     if isinstance(spectrum := outside.get("spectrum"), dict):

@@ -13,6 +13,7 @@ from app.cases.irregularities import (
     SmoothRail,
     SpectrumSample,
     SumWithMeasured,
+    no_profiles,
 )
 from solver.case import Case, Irregularity, Numerics, Slab, Track, Vehicle
 from solver.catalogue import TRACKS, VEHICLES
@@ -81,7 +82,7 @@ class CaseFile(Model):
         InvalidParameterError
             If fields that are valid by themselves are not together.
         """
-        return make_case(self.speed_kmh, self.slab, self.irregularity.irregularity(), self.parts())
+        return make_case(self.speed_kmh, self.slab, self.irregularity.irregularity(no_profiles), self.parts())
 
 
 def make_case(speed_kmh: float, slab: Slab, irregularity: Irregularity, parts: dict[str, Any]) -> Case:

@@ -69,7 +69,7 @@ class Case(Base):
     digest: Mapped[str] = mapped_column(String(64))
     solver_version: Mapped[str]
     operator_key: Mapped[str] = mapped_column(String(64))  # equal for cases that can be computed side by side
-    inputs: Mapped[dict[str, Any]]  # Case.to_dict(), SI
+    inputs: Mapped[dict[str, Any]]  # Case.to_dict(samples=False), SI
     work: Mapped[float | None]  # unknowns times steps; null in rows older than this column
 
     speed_kmh: Mapped[float]

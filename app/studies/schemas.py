@@ -1,16 +1,19 @@
 """Studies as clients send and see them."""
 
 from datetime import datetime
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from pydantic import AwareDatetime, BaseModel, Field, StringConstraints
+from pydantic import AwareDatetime, BaseModel, Discriminator, Field, StringConstraints, Tag
 
 from app.boundary import Strict, without_default
+from app.cases.irregularities import no_profiles
 from app.cases.schemas import Model
 from app.db.models import StudyState
 from app.pagination import PageQuery
-from app.studies.sweep import ProductSweep
+from app.studies.presets import PRESETS
+from app.studies.sweep import ListSweep, ProductSweep, Sweep, ZipSweep, located
 from solver.case import Case
+from solver.railhead import Profiles
 
 PRINTABLE = r"^[^\x00-\x1f\x7f]*$"  # PostgreSQL stores no NUL, and nobody wants the others in a name
 
@@ -21,24 +24,71 @@ LabelValue = Annotated[str, StringConstraints(max_length=255, pattern=PRINTABLE)
 Priority = Annotated[int, Field(ge=-100, le=100, description="Cases of a higher priority are computed first.")]
 
 
+if TYPE_CHECKING:  # what is made at run time, as far as a type checker needs to know
+    PresetName: TypeAlias = str
+else:
+    PresetName = Literal[tuple(PRESETS)]
+
+
+def _kind_of_sweep(value: object) -> str | None:
+    if isinstance(value, str):
+        return "preset"
+    kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
+    return kind if isinstance(kind, str) else None
+
+
 class StudyRequest(Model):
     """A parametric study: a sweep of one model."""
 
     name: Name
     labels: dict[Label, LabelValue] = Field(default_factory=dict, max_length=MAX_LABELS)
     priority: Priority = 0
-    sweep: ProductSweep
+    sweep: Annotated[
+        Annotated[PresetName, Tag("preset")]
+        | Annotated[ProductSweep, Tag("product")]
+        | Annotated[ZipSweep, Tag("zip")]
+        | Annotated[ListSweep, Tag("list")],
+        Discriminator(
+            _kind_of_sweep,
+            custom_error_type="sweep-kind",
+            custom_error_message="A sweep is the name of a preset or has a kind: product, zip or list",
+        ),
+    ] = Field(
+        description="Which cases there are. The name of a preset stands for its sweep, and for its track, vehicle and "
+        "numerics as far as the study does not say otherwise."
+    )
     keep_history: bool = Field(default=False, description="Whether to store the time histories of every case.")
 
-    def expand(self) -> list[Case]:
-        """The study's cases, each once, in a fixed order.
+    def count(self) -> int:
+        """How many cases there are; those listed twice, twice."""
+        return self._whole()[0].count()
+
+    def expand(self, profiles: Profiles = no_profiles) -> list[Case]:
+        """The study's cases in a fixed order.
+
+        Parameters
+        ----------
+        profiles : callable
+            Positions and heights of a stored profile by its identifier.
 
         Raises
         ------
-        InvalidParameterError
+        ContradictionError
             If values that are valid by themselves are not together.
         """
-        return list(self.sweep.expand(self.parts()))
+        sweep, model = self._whole()
+        with located("/sweep"):
+            parts = model.parts()
+        return list(sweep.expand(parts, profiles))
+
+    def _whole(self) -> tuple[Sweep, Model]:
+        """Sweep and model, those of a preset included."""
+        if not isinstance(self.sweep, str):
+            return self.sweep, self
+        own = self.model_dump(exclude_unset=True, exclude={"sweep"})
+        whole = StudyRequest.model_validate(_merged(PRESETS[self.sweep].study, own))
+        assert not isinstance(whole.sweep, str)  # noqa: S101 - for the type checker: presets hold no presets
+        return whole.sweep, whole
 
 
 def _left_out(**more: Any) -> Any:
@@ -55,14 +105,9 @@ class StudyPatch(Strict):
     priority: Priority = _left_out()
 
 
-def pointer_to_parameter(parameter: str) -> str:
-    """JSON Pointer, into a :class:`StudyRequest`, of a parameter as the solver names it."""
-    root = parameter.partition(".")[0]
-    if root in Model.model_fields:
-        return "/" + parameter.replace(".", "/")
-    if root in ProductSweep.model_fields:
-        return "/sweep/" + parameter.replace(".", "/")
-    return "/sweep/speed_kmh"  # inside it is in m/s, and has another name
+def _merged(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
+    both = {key for key in below.keys() & above.keys() if isinstance(below[key], dict) and isinstance(above[key], dict)}
+    return below | above | {key: _merged(below[key], above[key]) for key in both}
 
 
 class CaseCounts(BaseModel):

@@ -15,7 +15,7 @@ from app.cases.repository import enqueue, row_of
 from app.context import Context
 from app.db.models import Study, StudyCase
 from app.db.types import Clock
-from app.problems import FieldProblem, Problem, not_found
+from app.problems import FieldProblem, Problem, invalid, not_found
 from app.studies import repository
 from app.studies.schemas import (
     CaseCounts,
@@ -25,10 +25,9 @@ from app.studies.schemas import (
     StudyQuery,
     StudyRequest,
     StudySummary,
-    pointer_to_parameter,
 )
+from app.studies.sweep import ContradictionError
 from solver.case import Case
-from solver.quantity import InvalidParameterError
 
 
 def create(context: Context, request: StudyRequest, key: str | None) -> StudyDetail:
@@ -62,16 +61,14 @@ def expand(request: StudyRequest, limit: int) -> list[Case]:
     Problem
         422 if there are more than the limit, or the values contradict each other.
     """
-    if (count := request.sweep.count()) > limit:
+    if (count := request.count()) > limit:
         detail = f"The sweep has {count} cases; a study may have {limit} (max_cases_per_study)."
         error = FieldProblem(pointer="/sweep", code="max-cases-per-study", detail=detail)
         raise Problem(422, detail, code="max-cases-per-study", errors=[error])
     try:
         return request.expand()
-    except InvalidParameterError as error:
-        pointer = pointer_to_parameter(error.parameter)
-        field = FieldProblem(pointer=pointer, code="contradiction", detail=f"{error.parameter} {error.problem}")
-        raise Problem(422, f"{error.parameter} {error.problem}", errors=[field]) from None
+    except ContradictionError as error:
+        raise invalid(error.pointer, "contradiction", error.detail) from None
 
 
 def get(session: Session, study_id: str) -> StudyDetail:

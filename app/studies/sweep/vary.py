@@ -1,0 +1,118 @@
+"""Parameters of track, vehicle and numerics that a sweep may vary, each by its dotted path at the boundary."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, get_type_hints
+
+from pydantic import ConfigDict, Field, ValidationError, create_model, model_validator
+from pydantic_core import InitErrorDetails, PydanticCustomError
+
+from app.boundary import Strict, apply, described, without_default
+from solver.case import Numerics, Track, Vehicle
+from solver.quantity import Quantity, quantities
+
+
+@dataclass(frozen=True, kw_only=True)
+class Parameter:
+    """A number of the model.
+
+    Attributes
+    ----------
+    path : str
+        Its name at the boundary, as in ``track.joint.shear_stiffness_n_per_m``.
+    inside : tuple of str
+        Its name inside, part by part.
+    type : type
+        int or float.
+    quantity : Quantity
+        Unit, bounds and meaning.
+    """
+
+    path: str
+    inside: tuple[str, ...]
+    type: type
+    quantity: Quantity
+
+
+def _parameters(cls: type, *inside: str) -> Iterator[Parameter]:
+    hints, known = get_type_hints(cls), {name: (outside, q) for name, outside, q in quantities(cls)}
+    for field in fields(cls):
+        hint, here = hints[field.name], (*inside, field.name)
+        if is_dataclass(hint) and isinstance(hint, type):
+            yield from _parameters(hint, *here)
+        elif field.name in known:
+            outside, quantity = known[field.name]
+            yield Parameter(path=".".join([*inside, outside]), inside=here, type=hint, quantity=quantity)
+
+
+PARAMETERS = {
+    parameter.path: parameter
+    for name, cls in {"track": Track, "vehicle": Vehicle, "numerics": Numerics}.items()
+    for parameter in _parameters(cls, name)
+}
+
+
+class _ByPath(Strict):
+    """Base of what is given by dotted paths."""
+
+    model_config = ConfigDict(serialize_by_alias=True)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known(cls, given: Any) -> Any:
+        unknown = [path for path in given if path not in PARAMETERS] if isinstance(given, dict) else []
+        if unknown:
+            errors = [InitErrorDetails(type=_unknown(path), loc=(path,), input=given[path]) for path in unknown]
+            raise ValidationError.from_exception_data(cls.__name__, errors)
+        return given
+
+    def given(self) -> dict[str, Any]:
+        """What was given, in the order of the model."""
+        return {
+            str(field.alias): getattr(self, name)
+            for name, field in type(self).model_fields.items()
+            if name in self.model_fields_set
+        }
+
+
+def _unknown(path: str) -> PydanticCustomError:
+    near = get_close_matches(path, PARAMETERS, n=3, cutoff=0.5)
+    hint = f"the nearest are {', '.join(near)}" if near else "get_limits lists what there is"
+    return PydanticCustomError("unknown-parameter", "There is no such parameter; {hint}.", {"hint": hint})
+
+
+def _by_path(name: str, doc: str, *, listed: bool) -> Any:
+    definitions: dict[str, Any] = {}
+    for parameter in PARAMETERS.values():
+        number = Annotated[parameter.type, described(parameter.quantity)]  # type: ignore[name-defined]  # made here
+        hint = Annotated[list[number], Field(min_length=1)] if listed else number
+        default = Field(default=None, alias=parameter.path, json_schema_extra=without_default)
+        definitions[parameter.path.replace(".", "__")] = (hint, default)
+    return create_model(name, __base__=_ByPath, __doc__=doc, **definitions)
+
+
+if TYPE_CHECKING:  # what is made at run time, as far as a type checker needs to know
+    Vary: TypeAlias = _ByPath
+    Changes: TypeAlias = _ByPath
+else:
+    Vary = _by_path("Vary", "Lists of values of parameters; each replaces what the study says of it.", listed=True)
+    Changes = _by_path("Changes", "Values of parameters; each replaces what the study says of it.", listed=False)
+
+
+def varied(parts: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Track, vehicle and numerics with some values replaced, all at once.
+
+    Raises
+    ------
+    InvalidParameterError
+        If values contradict each other.
+    """
+    tree: dict[str, Any] = {}
+    for path, value in changes.items():
+        *parents, name = PARAMETERS[path].inside
+        node = tree
+        for parent in parents:
+            node = node.setdefault(parent, {})
+        node[name] = value
+    return {**parts, **{part: apply(parts[part], changed) for part, changed in tree.items()}}
