@@ -202,7 +202,7 @@ def test_not_found(path: str, lenient_client: httpx.Client, problem: Check) -> N
     [
         ("DELETE", "/v1/studies", "GET, POST"),
         ("PUT", "/v1/peaks", "GET"),
-        ("POST", f"/v1/studies/{'0' * 32}", "GET"),
+        ("POST", f"/v1/studies/{'0' * 32}", "DELETE, GET, PATCH"),
         ("BREW", "/v1/cases/1", "GET"),
     ],
 )
