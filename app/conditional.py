@@ -20,6 +20,7 @@ IfMatchHeader = Annotated[
         "such as progress, does not count.",
     ),
 ]
+NOT_CHANGED: dict[int | str, dict[str, Any]] = {304: {"description": "Not changed"}}
 CONDITIONAL_CHANGE: dict[int | str, dict[str, Any]] = {
     412: {"description": "Changed by somebody else"},
     428: {"description": "If-Match is missing"},
@@ -56,6 +57,11 @@ def respond(request: Request, content: bytes, media_type: str, edition: str = ""
     """The content with its digest, after that of its edition if it has one, as ETag, or 304."""
     etag = f'"{edition and edition + "-"}{hashlib.sha256(content).hexdigest()}"'
     headers = {"ETag": etag, "Cache-Control": "no-cache"}
-    if is_known(request, etag):
-        return Response(status_code=304, headers=headers)
-    return Response(content, media_type=media_type, headers=headers)
+    return not_changed(request, etag) or Response(content, media_type=media_type, headers=headers)
+
+
+def not_changed(request: Request, etag: str) -> Response | None:
+    """The 304 for a client that has this version."""
+    if not is_known(request, etag):
+        return None
+    return Response(status_code=304, headers={"ETag": etag, "Cache-Control": "no-cache"})

@@ -12,9 +12,10 @@ from app.cases.routes import router as cases
 from app.context import Context, ContextDep
 from app.db.models import Study
 from app.db.session import Database
+from app.histories.routes import router as histories
 from app.peaks.routes import router as peaks
 from app.queue import Doorbell
-from app.requests import RequestIdMiddleware
+from app.requests import HeadMiddleware, RequestIdMiddleware
 from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies.routes import router as studies
@@ -67,9 +68,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.context = context
+    app.add_middleware(HeadMiddleware)
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)
-    for router in (health, studies, cases, peaks):
+    for router in (health, studies, cases, histories, peaks):
         app.include_router(router)
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way
     return app

@@ -25,6 +25,7 @@ _CODES = {
     405: "method-not-allowed",
     413: "body-too-large",
     415: "unsupported-media-type",
+    416: "range-not-satisfiable",
     422: "invalid",
     500: "internal-error",
     503: "unavailable",
@@ -122,7 +123,7 @@ async def _answer_http_exception(request: Request, error: Exception) -> Response
 
 def _allowed_methods(request: Request) -> Iterable[str]:
     for method in METHODS:
-        scope = {**request.scope, "method": method}
+        scope = {**request.scope, "method": "GET" if method == "HEAD" else method}
         if any(route.matches(scope)[0] is Match.FULL for route in request.app.router.routes):
             yield method
 

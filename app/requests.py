@@ -1,5 +1,6 @@
 """How requests are read: JSON strictly and within limits, each under an identifier of its own."""
 
+import asyncio
 from collections.abc import Callable, Coroutine
 from email.message import Message
 from typing import Any
@@ -64,6 +65,32 @@ class JsonRoute(APIRoute):
             return await handle(JsonRequest(request.scope, request.receive))
 
         return handle_json
+
+
+class HeadMiddleware:
+    """Answer HEAD wherever GET is answered: the application sees a GET whose client leaves after the headers."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self.app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Handle one connection."""
+        if scope["type"] != "http" or scope["method"] != "HEAD":
+            await self.app(scope, receive, send)
+            return
+        answered = asyncio.Event()
+
+        async def receive_disconnect() -> AsgiMessage:
+            await answered.wait()
+            return {"type": "http.disconnect"}
+
+        async def send_headers(message: AsgiMessage) -> None:
+            if message["type"] == "http.response.start":
+                await send(message)
+                await send({"type": "http.response.body"})
+                answered.set()
+
+        await self.app({**scope, "method": "GET"}, receive_disconnect, send_headers)
 
 
 class RequestIdMiddleware:

@@ -7,7 +7,6 @@ from urllib.parse import urlsplit
 from obstore.exceptions import BaseError
 from obstore.store import LocalStore, ObjectStore, from_url
 
-HISTORY_MEDIA_TYPE = "application/octet-stream"
 STORE_ERRORS = (OSError, BaseError)
 
 
@@ -22,15 +21,16 @@ class HistoryStore:
         """Write an object, whole or not at all."""
         self._store.put(key, content)
 
-    def read(self, key: str) -> Iterator[bytes]:
-        """An object in chunks.
+    def read(self, key: str, part: range | None = None) -> Iterator[bytes]:
+        """An object, or some of its bytes, in chunks.
 
         Raises
         ------
         obstore.exceptions.NotFoundError
             There is no such object.
         """
-        return (bytes(chunk) for chunk in self._store.get(key).stream())
+        found = self._store.get(key, options=None if part is None else {"range": (part.start, part.stop)})
+        return (bytes(chunk) for chunk in found.stream())
 
     def delete(self, key: str) -> None:
         """Remove an object."""

@@ -7,7 +7,7 @@ from app.cases.schemas import case_file
 from app.cases.views import CaseDetail, CasePage, CaseQuery, CaseSummary, StoredHistory
 from app.db.models import Case, History, Study, StudyCase
 from app.pagination import Order, fetch_page
-from app.problems import Problem, not_found
+from app.problems import not_found
 
 ORDERS = {"position": StudyCase.position, "speed_kmh": Case.speed_kmh, "state": Case.state}
 
@@ -46,20 +46,3 @@ def get(session: Session, case_id: int) -> CaseDetail:
     stored = None if history is None else StoredHistory.model_validate(history)
     inputs = case_file(case.inputs)
     return CaseDetail(**dict(summary), inputs=inputs, processing=case.processing, history=stored)
-
-
-def find_history(session: Session, case_id: int) -> History:
-    """Where the history of a case lies.
-
-    Raises
-    ------
-    Problem
-        404 if there is no such case or no history of it.
-    """
-    if session.get(Case, case_id) is None:
-        raise not_found("case")
-    history = session.get(History, case_id)
-    if history is None:
-        detail = "No history of this case is stored: it is not computed yet, or no study asked to keep it."
-        raise Problem(404, detail, code="history-not-kept")
-    return history

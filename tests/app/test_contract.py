@@ -16,7 +16,9 @@ OPERATIONS = {
     "get_study": ("get", "/v1/studies/{study_id}"),
     "list_cases": ("get", "/v1/studies/{study_id}/cases"),
     "get_case": ("get", "/v1/cases/{case_id}"),
+    "get_history": ("get", "/v1/cases/{case_id}/history"),
     "download_history": ("get", "/v1/cases/{case_id}/history.npz"),
+    "download_history_parquet": ("get", "/v1/cases/{case_id}/history.parquet"),
     "list_peaks": ("get", "/v1/peaks"),
 }
 
@@ -53,7 +55,17 @@ def test_errors_are_problems(document: dict[str, Any]) -> None:
 
 def test_no_answer_has_defaults(document: dict[str, Any]) -> None:
     """The generated client would make such a field optional."""
-    for name in ("StudyDetail", "StudySummary", "CaseDetail", "CaseSummary", "PeakRow", "ProblemDetails", "PeakPage"):
+    for name in (
+        "StudyDetail",
+        "StudySummary",
+        "CaseDetail",
+        "CaseSummary",
+        "PeakRow",
+        "ProblemDetails",
+        "PeakPage",
+        "HistoryView",
+        "HistoryChannel",
+    ):
         schema = document["components"]["schemas"][name]
         assert set(schema["required"]) == set(schema["properties"])
 
@@ -74,7 +86,7 @@ def test_every_reference_leads_somewhere(document: dict[str, Any]) -> None:
 
 def test_the_service_loads_no_numerics() -> None:
     """Workers compute; the service keeps books, and starts quickly."""
-    heavy = {"numpy", "scipy", "numba", "llvmlite", "matplotlib", "solver.simulate"}
+    heavy = {"numpy", "scipy", "numba", "llvmlite", "matplotlib", "pyarrow", "solver.simulate"}
     code = f"import sys, app.main; print(*{heavy} & set(sys.modules))"
     output = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, timeout=60)
     assert output.stdout.strip() == ""

@@ -200,10 +200,10 @@ def test_not_found(path: str, lenient_client: httpx.Client, problem: Check) -> N
 @pytest.mark.parametrize(
     ("method", "path", "allowed"),
     [
-        ("DELETE", "/v1/studies", "GET, POST"),
-        ("PUT", "/v1/peaks", "GET"),
-        ("POST", f"/v1/studies/{'0' * 32}", "DELETE, GET, PATCH"),
-        ("BREW", "/v1/cases/1", "GET"),
+        ("DELETE", "/v1/studies", "GET, HEAD, POST"),
+        ("PUT", "/v1/peaks", "GET, HEAD"),
+        ("POST", f"/v1/studies/{'0' * 32}", "DELETE, GET, HEAD, PATCH"),
+        ("BREW", "/v1/cases/1", "GET, HEAD"),
     ],
 )
 def test_method_not_allowed(method: str, path: str, allowed: str, lenient_client: httpx.Client, problem: Check) -> None:
@@ -228,6 +228,10 @@ def test_method_not_allowed(method: str, path: str, allowed: str, lenient_client
         ("/v1/studies", "cursor=nonsense", "/query/cursor"),
         ("/v1/studies", "cursor=%F0%9F%9A%84", "/query/cursor"),
         ("/v1/studies", "cursor=W10=", "/query/cursor"),
+        ("/v1/cases/1/history", "max_points=1", "/query/max_points"),
+        ("/v1/cases/1/history", "time_min_s=nan", "/query/time_min_s"),
+        ("/v1/cases/1/history", "quantity=pad_force&quantity=%00", "/query/quantity/1"),
+        ("/v1/cases/1/history", "channel=1", "/query/channel"),
         ("/v1/peaks", "study_id=x", "/query/study_id"),
         ("/v1/peaks", "speed_kmh_min=nan", "/query/speed_kmh_min"),
         ("/v1/peaks", "value_max=inf", "/query/value_max"),

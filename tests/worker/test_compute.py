@@ -13,6 +13,7 @@ from sqlalchemy import select, update
 from app.cases import service as cases
 from app.context import Context
 from app.db.models import Case, History, Peak
+from app.histories import service as histories
 from app.studies import service as studies
 from app.studies.schemas import StudyDetail
 from solver import case as solver_case
@@ -65,7 +66,7 @@ def test_a_history_is_kept_if_asked_for(context: Context, submit: Submit, worker
     worker.drain()
     row = only_case(context)
     with context.database.read() as session:
-        history = cases.find_history(session, row.id)
+        history = histories.find(session, row.id).history
     content = b"".join(context.histories.read(history.key))
     assert len(content) == history.size_bytes
     (response,) = solve([solver_case.Case.from_dict(row.inputs)])

@@ -1,0 +1,1 @@
+"""Time histories: stored archives, drawn on a screen or downloaded."""

@@ -1,0 +1,74 @@
+"""Time histories over HTTP."""
+
+import tempfile
+from collections.abc import Iterator
+from typing import Annotated, BinaryIO
+
+from fastapi import APIRouter, Depends, Query, Request, Response
+
+from app.cases.routes import CaseId
+from app.conditional import NOT_CHANGED, not_changed
+from app.context import ContextDep
+from app.download import RANGES, binary, download
+from app.histories import service
+from app.histories.schemas import HistoryQuery, HistoryView
+
+NPZ = "application/octet-stream"
+PARQUET = "application/vnd.apache.parquet"
+
+
+def _scratch() -> Iterator[BinaryIO]:
+    with tempfile.TemporaryFile() as file:
+        yield file
+
+
+ScratchDep = Annotated[BinaryIO, Depends(_scratch)]  # a file until the answer is sent
+
+router = APIRouter(prefix="/v1/cases/{case_id}", tags=["histories"])
+
+
+@router.get("/history", response_model=HistoryView, responses=NOT_CHANGED)
+def get_history(
+    case_id: CaseId, query: Annotated[HistoryQuery, Query()], context: ContextDep, request: Request
+) -> Response:
+    """Get the time history of a case, or a part of it, as fine as a screen can show. No peak is lost."""
+    with context.database.read() as session:
+        stored = service.find(session, case_id)
+    etag = stored.etag(query.model_dump_json())
+    if (answer := not_changed(request, etag)) is not None:
+        return answer
+    content = service.view(context, stored, query).model_dump_json()
+    return Response(content, media_type="application/json", headers={"ETag": etag, "Cache-Control": "no-cache"})
+
+
+@router.get("/history.npz", response_class=Response, responses=binary(NPZ) | RANGES)
+def download_history(case_id: CaseId, context: ContextDep, request: Request) -> Response:
+    """Download the time history of a case at full resolution, as a NumPy archive."""
+    with context.database.read() as session:
+        stored = service.find(session, case_id)
+    etag, size = f'"{stored.history.digest}"', stored.history.size_bytes
+    return not_changed(request, etag) or download(
+        request, etag, size, lambda part: service.read(context, stored, part), NPZ, f"case-{case_id}.npz"
+    )
+
+
+@router.get("/history.parquet", response_class=Response, responses=binary(PARQUET) | RANGES)
+def download_history_parquet(case_id: CaseId, context: ContextDep, request: Request, scratch: ScratchDep) -> Response:
+    """Download the time history of a case at full resolution, as Parquet: a column per channel, with its unit, and
+    the inputs of the case in the metadata.
+    """
+    with context.database.read() as session:
+        stored = service.find(session, case_id)
+    etag = service.parquet_etag(stored)
+    if (answer := not_changed(request, etag)) is not None:
+        return answer
+    service.write_parquet(context, stored, scratch)
+    return download(
+        request, etag, scratch.tell(), lambda part: _chunks(scratch, part), PARQUET, f"case-{case_id}.parquet"
+    )
+
+
+def _chunks(file: BinaryIO, part: range, size: int = 2**16) -> Iterator[bytes]:
+    file.seek(part.start)
+    for position in range(part.start, part.stop, size):
+        yield file.read(min(size, part.stop - position))
