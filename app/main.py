@@ -9,6 +9,7 @@ from sqlalchemy import select
 
 from app import log, openapi, problems
 from app.cases.routes import router as cases
+from app.catalogue.routes import router as catalogue
 from app.context import Context, ContextDep
 from app.db.models import Study
 from app.db.session import Database
@@ -71,7 +72,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(HeadMiddleware)
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)
-    for router in (health, studies, cases, histories, peaks):
+    for router in (
+        health,
+        studies,
+        cases,
+        histories,
+        peaks,
+        catalogue,
+    ):
         app.include_router(router)
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way
     return app

@@ -20,6 +20,12 @@ OPERATIONS = {
     "download_history": ("get", "/v1/cases/{case_id}/history.npz"),
     "download_history_parquet": ("get", "/v1/cases/{case_id}/history.parquet"),
     "list_peaks": ("get", "/v1/peaks"),
+    "list_quantities": ("get", "/v1/quantities"),
+    "list_spectra": ("get", "/v1/spectra"),
+    "list_tracks": ("get", "/v1/tracks"),
+    "list_vehicles": ("get", "/v1/vehicles"),
+    "list_presets": ("get", "/v1/presets"),
+    "get_limits": ("get", "/v1/limits"),
 }
 
 
