@@ -1,5 +1,6 @@
 """The HTTP application: ``uvicorn app.main:create_app --factory``."""
 
+import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from importlib.metadata import version
@@ -69,6 +70,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.context = context
+    app.state.watchers = threading.BoundedSemaphore(settings.max_watchers)
     app.add_middleware(HeadMiddleware)
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)

@@ -35,6 +35,9 @@ class Settings(BaseSettings):
     max_page_size: int = Field(default=500, ge=1, description="Largest page of a list.")
     max_body_bytes: int = Field(default=1_000_000, ge=1, description="Largest request body.")
 
+    max_watchers: int = Field(default=100, ge=1, description="Streams of events that one API process keeps open.")
+    watch_keep_alive_s: float = Field(default=15.0, gt=0, description="Longest silence of a stream of events.")
+
     @cached_property
     def broker_socket(self) -> Path:
         """Unix socket of the embedded broker: in the data folder or, if too long a path, among temporary files."""

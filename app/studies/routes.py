@@ -1,8 +1,8 @@
 """Studies over HTTP."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi import APIRouter, Header, Path, Query, Request, Response
 
 from app.conditional import CONDITIONAL_CHANGE, IfMatchHeader, check_match, edition, respond
 from app.context import ContextDep
@@ -10,8 +10,16 @@ from app.idempotency import IdempotencyKeyHeader
 from app.requests import JsonRoute
 from app.studies import lifecycle, service
 from app.studies.schemas import StudyDetail, StudyPage, StudyPatch, StudyQuery, StudyRequest
+from app.studies.watch import SeatDep, watch
 
 router = APIRouter(prefix="/v1/studies", tags=["studies"], route_class=JsonRoute)
+
+WATCHED: dict[str, Any] = {
+    "description": """Server-Sent Events with JSON as data. `state`: the study has come to another `state`. `case`: the
+case `case_id` has ended in a `state`. `done`: the study has ended, and so does the stream. These have ids, by which a
+stream that was cut goes on. `progress`: state, progress, cases and finish of the study as they are now; without id.""",
+    "content": {"text/event-stream": {"schema": {"type": "string"}}},
+}
 
 StudyId = Annotated[str, Path(pattern="^[0-9a-f]{32}$")]
 
@@ -66,6 +74,24 @@ def retry_study(study_id: StudyId, context: ContextDep) -> StudyDetail:
 def delete_study(study_id: StudyId, context: ContextDep) -> None:
     """Delete a study that has ended, with the histories that no other study keeps. Peaks stay, as do shared cases."""
     lifecycle.remove(context, study_id)
+
+
+@router.get(
+    "/{study_id}/events",
+    response_class=Response,  # EventSourceResponse would be for generators, which cannot answer 204 or 404
+    responses={200: WATCHED, 204: {"description": "The event given was the last"}},
+)
+async def watch_study(
+    study_id: StudyId,
+    context: ContextDep,
+    seat: SeatDep,
+    last_event_id: Annotated[int, Query(ge=0, lt=2**63, description="The same, for whom cannot send headers.")] = 0,
+    last_event: Annotated[
+        int | None, Header(alias="Last-Event-ID", ge=0, lt=2**63, description="Only events after this one.")
+    ] = None,
+) -> Response:
+    """Watch a study to its end, as Server-Sent Events."""
+    return await watch(context, study_id, last_event_id if last_event is None else last_event)
 
 
 def _edition(study: StudyDetail) -> str:
