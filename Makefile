@@ -27,10 +27,10 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test test-slow lint format verify bench serve clean
+.PHONY: help install demo test test-slow lint format verify bench bench-programme bench-rolland serve clean
 
 help:  ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' Makefile
 
 install: $(INSTALLED)  ## install the locked dependencies in .venv/
 
@@ -56,14 +56,22 @@ format: $(INSTALLED)  ## let ruff format and fix what it can
 verify: $(INSTALLED)  ## check the physics and write docs/verification.md
 	@.venv/bin/tracksweep verify
 
-bench: $(INSTALLED)  ## time the solver
+bench: $(INSTALLED)  ## time the solver and the service, and write benchmarks/README.md
 	@$(RUN) benchmarks
+
+bench-programme: $(INSTALLED)  ## time the article's whole programme, which takes long
+	@$(RUN) benchmarks.programme
+	@$(RUN) benchmarks.report
+
+bench-rolland: $(INSTALLED) .venv-rolland/.installed  ## time beside rolland, which needs Python 3.12 and is installed for it
+	@$(RUN) benchmarks.rolland_peer .venv-rolland/bin/python
+	@$(RUN) benchmarks.report
 
 serve: $(INSTALLED)  ## run the whole service on the folder data/
 	@.venv/bin/tracksweep serve
 
 clean:  ## remove what was installed and generated; data/ stays
-	rm -rf .uv .venv .home demo .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .uv .venv .venv-rolland .home demo .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(UV)/bin/uv:
@@ -74,4 +82,13 @@ $(UV)/bin/uv:
 $(INSTALLED): pyproject.toml uv.lock | $(UV)/bin/uv
 	@echo "Installing the locked dependencies in .venv ..."
 	@$(UV)/bin/uv sync --frozen --quiet --python "$$($(PYTHON) -c 'import sys; print(sys.executable)')"
+	@touch $@
+
+PYTHON312 ?= python3.12
+
+.venv-rolland/.installed: | $(UV)/bin/uv
+	@$(PYTHON312) -c 'import sys; sys.exit(sys.version_info[:2] != (3, 12))' >/dev/null 2>&1 || \
+		{ echo "rolland needs Python 3.12; name one by make bench-rolland PYTHON312=..." >&2; exit 1; }
+	@$(UV)/bin/uv venv --quiet --clear --python "$$($(PYTHON312) -c 'import sys; print(sys.executable)')" .venv-rolland
+	@$(UV)/bin/uv pip install --quiet --python .venv-rolland rolland==26.8
 	@touch $@

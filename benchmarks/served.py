@@ -1,0 +1,86 @@
+"""A service on a folder of its own, for as long as a benchmark needs it."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from app.remote.client import Service
+from examples.demo import START_TIMEOUT_S, url_of
+
+
+@contextmanager
+def served(workers: int) -> Iterator[str]:
+    """Serve an empty folder by some workers; the service's URL."""
+    with tempfile.TemporaryDirectory(prefix="tracksweep-") as folder:
+        command = [sys.executable, "-m", "worker.cli", "serve", "--data", folder, "--port", "0"]
+        command += ["--workers", str(workers)]
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("TRACKSWEEP_")}
+        log = Path(folder) / "serve.log"
+        with (
+            log.open("w") as output,
+            subprocess.Popen(command, env=environment, stdout=output, stderr=output) as process,  # noqa: S603
+        ):
+            try:
+                deadline = time.monotonic() + START_TIMEOUT_S
+                while (url := url_of(Path(folder), process.pid)) is None:
+                    if process.poll() is not None or time.monotonic() > deadline:
+                        raise SystemExit(f"The service does not start.\n{log.read_text()}")
+                    time.sleep(0.1)
+                yield url
+            finally:
+                process.send_signal(signal.SIGINT)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """What computing a study took.
+
+    Attributes
+    ----------
+    wall_s : float
+        From the first case that was begun to the last that was finished, by the database's clock.
+    cpu_s : float
+        Processor time of all cases, from claimed inputs to peaks.
+    cases, workers : int
+        How many there were, and how many workers computed any.
+    """
+
+    wall_s: float
+    cpu_s: float
+    cases: int
+    workers: int
+
+
+def submit(url: str, study: dict[str, Any]) -> str:
+    """Post a study; its id."""
+    with Service(url) as service:
+        return str(service.submit(study)["id"])
+
+
+def finish(url: str, study_id: str) -> Run:
+    """Wait for a study to end."""
+    with Service(url) as service:
+        *_, ended = service.watch(study_id)
+    if ended["state"] != "succeeded":
+        raise SystemExit(f"the study “{ended['name']}” ended as {ended['state']}: nothing to compare")
+    page = httpx.get(f"{url}/v1/studies/{study_id}/cases", params={"page_size": 500}, trust_env=False)
+    cases = page.raise_for_status().json()["items"]
+    began = min(datetime.fromisoformat(case["started_at"]) for case in cases)
+    ends = max(datetime.fromisoformat(case["finished_at"]) for case in cases)
+    return Run(
+        wall_s=(ends - began).total_seconds(),
+        cpu_s=sum(case["cpu_s"] for case in cases),
+        cases=len(cases),
+        workers=len({case["worker"] for case in cases}),
+    )
