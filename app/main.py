@@ -20,6 +20,7 @@ from app.queue import Doorbell
 from app.requests import HeadMiddleware, RequestIdMiddleware
 from app.settings import Settings
 from app.storage import HistoryStore
+from app.studies.routes import estimates
 from app.studies.routes import router as studies
 
 health = APIRouter(include_in_schema=False)
@@ -77,6 +78,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for router in (
         health,
         studies,
+        estimates,
         cases,
         histories,
         peaks,

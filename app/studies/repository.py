@@ -14,14 +14,13 @@ ORDERS = {"created_at": Study.created_at, "name": Study.name, "priority": Study.
 
 
 def overview(*of: ColumnElement[bool]) -> Select[Any]:
-    """Studies with ``total``, a count per case state, ``progress``, ``state`` and what an estimate needs.
+    """Studies with ``total``, a count per case state, ``progress`` and ``state``.
 
     Parameters
     ----------
     *of
         Conditions on ``StudyCase.study_id``: whose cases are counted.
     """
-    elapsed = Case.finished_at - Case.started_at
     done = case((Case.state == "running", Case.progress), (Case.state == "queued", 0.0), else_=1.0)
     tally = (
         select(
@@ -29,8 +28,6 @@ def overview(*of: ColumnElement[bool]) -> Select[Any]:
             func.count().label("total"),
             *(func.count().filter(Case.state == state).label(state) for state in get_args(CaseState)),
             func.avg(done).label("progress"),
-            func.avg(elapsed).filter(Case.state == "succeeded").label("mean_s"),
-            func.avg(elapsed * elapsed).filter(Case.state == "succeeded").label("mean_square_s2"),
         )
         .join(Case, Case.id == StudyCase.case_id)
         .where(*of)
@@ -71,17 +68,3 @@ def find_page(session: Session, query: StudyQuery, max_page_size: int) -> tuple[
     ids = [key.id for key in keys]
     rows = {row.Study.id: row for row in session.execute(overview(StudyCase.study_id.in_(ids)))}
     return [rows[study_id] for study_id in ids], cursor
-
-
-def cases_at_once(session: Session) -> int:
-    """How many cases are being computed."""
-    return session.scalar(select(func.count()).where(Case.state == "running")) or 0
-
-
-def cases_ahead(session: Session, study_id: str, priority: int) -> int:
-    """Queued cases of other studies that come before the last of this one."""
-    own = select(StudyCase.case_id).where(StudyCase.study_id == study_id)
-    last = select(func.max(StudyCase.case_id)).where(StudyCase.study_id == study_id).scalar_subquery()
-    before = or_(Case.priority > priority, and_(Case.priority == priority, Case.id < last))
-    ahead = select(func.count()).where(Case.state == "queued", before, Case.id.not_in(own))
-    return session.scalar(ahead) or 0

@@ -9,10 +9,12 @@ from app.context import ContextDep
 from app.idempotency import IdempotencyKeyHeader
 from app.requests import JsonRoute
 from app.studies import lifecycle, service
+from app.studies.estimate import StudyEstimate, estimate
 from app.studies.schemas import StudyDetail, StudyPage, StudyPatch, StudyQuery, StudyRequest
 from app.studies.watch import SeatDep, watch
 
 router = APIRouter(prefix="/v1/studies", tags=["studies"], route_class=JsonRoute)
+estimates = APIRouter(prefix="/v1/study-estimates", tags=["studies"], route_class=JsonRoute)
 
 WATCHED: dict[str, Any] = {
     "description": """Server-Sent Events with JSON as data. `state`: the study has come to another `state`. `case`: the
@@ -22,6 +24,12 @@ stream that was cut goes on. `progress`: state, progress, cases and finish of th
 }
 
 StudyId = Annotated[str, Path(pattern="^[0-9a-f]{32}$")]
+
+
+@estimates.post("")
+def estimate_study(study: StudyRequest, context: ContextDep) -> StudyEstimate:
+    """Estimate what a study would take, and what to beware of, without creating it."""
+    return estimate(context, study)
 
 
 @router.post("", status_code=201)

@@ -122,7 +122,7 @@ class CaseCounts(BaseModel):
 
 
 class FinishEstimate(BaseModel):
-    """When a study will be finished, if the cases to come take as long as those that went before."""
+    """When a study will be finished by the workers that are there, judging by what such cases took before."""
 
     expected: datetime
     earliest: datetime
@@ -149,7 +149,7 @@ class StudySummary(BaseModel):
 class StudyDetail(StudySummary):
     """A study, how far it is and what was asked for."""
 
-    finish: FinishEstimate | None = Field(description="Null when finished, or before any case has been computed.")
+    finish: FinishEstimate | None = Field(description="Null when it has ended, or while no worker is there.")
     definition: dict[str, Any] = Field(description="The request that created the study.")
 
 

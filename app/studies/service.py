@@ -1,12 +1,10 @@
 """What can be done with studies."""
 
 import hashlib
-import math
-from datetime import UTC, datetime, timedelta
 from typing import Any
 from uuid import uuid4
 
-from sqlalchemy import Row, insert, select
+from sqlalchemy import Row, insert
 from sqlalchemy.orm import Session
 
 from app import events, idempotency
@@ -14,9 +12,8 @@ from app.cases import queue
 from app.cases.repository import enqueue, row_of
 from app.context import Context
 from app.db.models import Study, StudyCase
-from app.db.types import Clock
 from app.problems import FieldProblem, Problem, invalid, not_found
-from app.studies import repository
+from app.studies import forecast, repository
 from app.studies.schemas import (
     CaseCounts,
     FinishEstimate,
@@ -83,7 +80,7 @@ def get(session: Session, study_id: str) -> StudyDetail:
     if row is None:
         raise not_found("study")
     definition = row.Study.request
-    return StudyDetail.model_validate(_summary(row) | {"finish": _estimate(session, row), "definition": definition})
+    return StudyDetail.model_validate(_summary(row) | {"finish": _finish(session, row), "definition": definition})
 
 
 def list_page(session: Session, query: StudyQuery, max_page_size: int) -> StudyPage:
@@ -125,21 +122,9 @@ def _summary(row: Row[Any]) -> dict[str, Any]:
     }
 
 
-def _estimate(session: Session, row: Row[Any]) -> FinishEstimate | None:
-    """From how long the study's computed cases took, the queue before it and how many are computed at once.
-
-    The interval is twice the standard deviation of a sum of that many independent cases.
-    """
-    if row.mean_s is None or row.state not in ("queued", "running"):
+def _finish(session: Session, row: Row[Any]) -> FinishEstimate | None:
+    if row.state not in ("queued", "running"):
         return None
-    cases = (1 - row.progress) * row.total + repository.cases_ahead(session, row.Study.id, row.Study.priority)
-    at_once = max(1, repository.cases_at_once(session))
-    spread = 2 * math.sqrt(max(0.0, row.mean_square_s2 - row.mean_s**2) * cases) / at_once
-    expected = cases * row.mean_s / at_once
-    now = datetime.fromtimestamp(session.scalars(select(Clock())).one(), UTC)
-    earliest, latest = max(0.0, expected - spread), expected + spread
-    return FinishEstimate(
-        expected=now + timedelta(seconds=expected),
-        earliest=now + timedelta(seconds=earliest),
-        latest=now + timedelta(seconds=latest),
-    )
+    loads = [*forecast.left(session, row.Study.id), *forecast.ahead(session, row.Study)]
+    cpu, _ = forecast.cpu_s(session, loads)
+    return forecast.finish(session, cpu)

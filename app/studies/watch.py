@@ -19,7 +19,7 @@ from app.studies import service
 
 POLL_S = 0.5
 AT_ONCE = 500  # events read by one query
-SPARINGLY = 100  # looking for progress may take this part of a watcher's time: it counts all cases of the study
+SPARINGLY = 20  # of a watcher's time, this part may go into looking for progress: it counts all cases of the study
 HEADERS = {"Cache-Control": "no-cache", "X-Accel-Buffering": "no"}  # the latter is for nginx
 
 

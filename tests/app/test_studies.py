@@ -12,7 +12,7 @@ from sqlalchemy import func, select
 from app.db.models import Case, Event, Study
 from app.db.session import Database
 from app.settings import Settings
-from worker import lease
+from worker import lease, presence
 from worker.claim import claim
 
 Check = Callable[..., dict[str, Any]]
@@ -59,7 +59,9 @@ def test_a_study_comes_to_its_end(client: httpx.Client, database: Database, stud
         assert lease.extend(session, held, 15.0, 0.5)
     running = client.get(url).json()
     assert (running["state"], running["progress"]) == ("running", 0.125)
-    assert running["finish"] is None
+    assert running["finish"] is None  # for there is no worker
+    with database.write() as session:
+        presence.announce(session, "one", 600.0)
     with database.write() as session:
         assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
     assert datetime.fromisoformat(client.get(url).json()["finish"]["expected"]).tzinfo is not None
