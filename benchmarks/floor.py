@@ -23,11 +23,13 @@ STEPS = 200
 # Arrays of all unknowns that a step passes over, at least: x, u and v are read, u, v and x written by the pass that
 # ends in the forward sweep; the sweep back, which can begin only when that is over, reads and writes x.
 PASSES = 8
-# Vector instructions per unknown, counted in the code. A multiply-add, a product and a sum are one each.
-SUBSTITUTION = 1 + 8 + 1 + 2 + 8 + 1  # forward: subtract, 8 multiply-adds, product; back: one product more
-PREDICTORS = 9  # kernels._step
-SPREADING = 10 + 1 + 2  # kernels._spread: 20 for every two unknowns; their inertia; what neighbours left
+# Vector instructions per unknown, counted where code needs fewest: a multiply-add, a product and a sum are one each.
+# What damping between beams, pads and ends add is left out.
+SUBSTITUTION = 10 + 11  # forward: subtract, 8 multiply-adds, product; back: one product more
+PREDICTORS = 17 / 2  # of a value and a slope: both predictors, p and q
+SPREADING = (2 + 18) / 2  # mass and convection of a value and a slope on three nodes
 INSTRUCTIONS = SUBSTITUTION + PREDICTORS + SPREADING
+
 
 HOW = """The floor of a step is the longer of two times: to move the state, and to do the arithmetic. Both rates are
 measured in the same run, by loops compiled as the solver's are, eight lanes wide: *bytes* by a loop that reads and
