@@ -17,7 +17,8 @@ IdempotencyKeyHeader = Annotated[
         min_length=1,
         max_length=255,
         pattern=r"^[\x20-\x7e]+$",
-        description="Any unique text. A repeated request with the same key and body gets the first answer again.",
+        description="Any unique text. A repeated request with the same key and body gets the first answer again, "
+        "for 24 hours; one that comes while the first is still in progress waits for it.",
     ),
 ]
 

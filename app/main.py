@@ -22,6 +22,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies.routes import estimates
 from app.studies.routes import router as studies
+from app.verifications.routes import router as verifications
 
 health = APIRouter(include_in_schema=False)
 
@@ -83,6 +84,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         histories,
         peaks,
         catalogue,
+        verifications,
     ):
         app.include_router(router)
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way

@@ -21,7 +21,7 @@ from solver.errors import SolverError
 from solver.peaks import peaks
 from solver.processing import processing
 from solver.simulate import Response, solve
-from worker import lease, presence
+from worker import lease, presence, verification
 from worker.claim import Claim, claim
 from worker.heartbeat import Heartbeat, StoppedError
 from worker.history import archive
@@ -60,11 +60,14 @@ class Worker:
     def drain(self) -> int:
         """Compute cases until none is queued or the worker is to stop. Returns how many."""
         computed = 0
-        while not self.stopping.is_set() and (batch := self._claim()):
-            if not computed:
-                self.doorbell.ring()  # where one case is queued there may be more: wake the next worker
-            self.compute(batch)
-            computed += len(batch)
+        while not self.stopping.is_set():
+            if batch := self._claim():
+                if not computed:
+                    self.doorbell.ring()  # where one case is queued there may be more: wake the next worker
+                self.compute(batch)
+                computed += len(batch)
+            elif not self._verify():
+                break
         return computed
 
     def compute(self, batch: Sequence[Claim]) -> None:
@@ -76,6 +79,31 @@ class Worker:
                         log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
                 except Exception:  # its lease will run out; its neighbours' outcomes are still to be written
                     log.exception("outcome not written", case_id=held.case_id, attempt=held.attempt)
+
+    def _verify(self) -> bool:
+        """Compute a stored case once more, if one is to be verified. Returns whether there was one."""
+        with self.database.write() as session:
+            held = verification.claim(session, self.settings.lease_s, self.settings.max_attempts)
+        if held is None:
+            return False
+        with Heartbeat(self.database, [held], self.settings.lease_s, self.stopping, verification.extend) as heartbeat:
+            self._write(self._verified(held, heartbeat))
+        return True
+
+    def _verified(self, held: verification.Claim, heartbeat: Heartbeat) -> Outcome:
+        try:
+            (result,) = solve([Case.from_dict(held.inputs)], partial(heartbeat.progress, [held]))
+            if isinstance(result, SolverError):
+                return partial(verification.fail, held=held, code=result.code, detail=str(result))
+            return partial(verification.compare, held=held, computed=[peak_at_boundary(peak) for peak in peaks(result)])
+        except StoppedError:
+            return partial(verification.release, held=held)
+        except lease.LeaseLostError:
+            return _lost
+        except Exception as error:
+            log.exception("verification failed", case_id=held.case_id)
+            reason, attempts = f"{type(error).__name__}: {error}", self.settings.max_attempts
+            return partial(verification.give_up, held=held, max_attempts=attempts, reason=reason)
 
     def _claim(self) -> list[Claim]:
         # Where one attempt is all a case has, none may lose it to a neighbour that kills the worker.

@@ -1,7 +1,7 @@
 """What a worker says while it computes: that it lives, and how far it is."""
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import Self
 
@@ -32,11 +32,19 @@ class Heartbeat:
         How long a lease is to last from each beat, s.
     stopping : threading.Event
         Set when the worker is to stop.
+    extend : callable
+        Extends one lease; says whether it held.
     """
 
     def __init__(
-        self, database: Database, batch: Sequence[lease.Lease], lease_s: float, stopping: threading.Event
+        self,
+        database: Database,
+        batch: Sequence[lease.Lease],
+        lease_s: float,
+        stopping: threading.Event,
+        extend: Callable[..., bool] = lease.extend,
     ) -> None:
+        self._extend = extend
         self._database, self._lease_s, self._stopping = database, lease_s, stopping
         self._held = {held.case_id: held for held in batch}
         self._fractions = dict.fromkeys(self._held, 0.0)
@@ -89,5 +97,5 @@ class Heartbeat:
             return [
                 case_id
                 for case_id, held in self._held.items()
-                if not lease.extend(session, held, self._lease_s, self._fractions[case_id])
+                if not self._extend(session, held, self._lease_s, self._fractions[case_id])
             ]

@@ -9,14 +9,14 @@ from sqlalchemy import delete, exists, select
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
-from app.db.models import Case, History, IdempotencyKey
+from app.db.models import Case, History, IdempotencyKey, Verification
 from app.db.session import Database
 from app.db.types import Clock
 from app.idempotency import KEPT_S
 from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import STORE_ERRORS, HistoryStore
-from worker import lease, presence
+from worker import lease, presence, verification
 
 LONGEST_PAUSE_S = 5.0
 ORPHANED_AFTER_S = 3600.0  # an object this old, of which no row tells, will never be told of
@@ -25,7 +25,7 @@ log = structlog.get_logger()
 
 
 def sweep(session: Session, max_attempts: int) -> bool:
-    """Queue again, or call poison, the cases of workers that fell silent. Returns whether any case is queued.
+    """Queue again, or call poison, the cases of workers that fell silent. Returns whether there is work.
 
     Any number of sweepers may do this at once.
     """
@@ -39,7 +39,8 @@ def sweep(session: Session, max_attempts: int) -> bool:
         log.warning("lease expired", case_id=row.id, attempt=row.attempt, worker=row.worker)
         lease.give_up(session, held, max_attempts, f"worker {row.worker} fell silent")
     session.execute(delete(IdempotencyKey).where(IdempotencyKey.created_at < Clock() - KEPT_S))
-    return bool(session.scalar(select(exists(select(Case.id).where(Case.state == "queued")))))
+    queued, due = select(Case.id).where(Case.state == "queued"), select(Verification.id).where(verification.due())
+    return bool(session.scalar(select(exists(queued) | exists(due))))
 
 
 def collect_orphans(session: Session, histories: HistoryStore) -> int:

@@ -294,6 +294,23 @@ def test_the_highest_priority_wins(client: httpx.Client, database: Database, stu
             assert {row.speed_kmh: row.priority for row in session.scalars(select(Case))} == expected
 
 
+# --- verification
+
+
+def test_a_verification_is_asked_for_and_read(
+    client: httpx.Client, database: Database, study: Body, problem: Check
+) -> None:
+    post(client, study)
+    problem(client.post("/v1/cases/1/verification"), 409, "case-not-succeeded")
+    problem(client.post("/v1/cases/99/verification"), 404)
+    problem(client.get("/v1/cases/1/verification"), 404)
+    finish(database, 4)
+    asked = client.post("/v1/cases/1/verification")
+    assert asked.status_code == 202
+    assert (asked.json()["state"], asked.json()["outcome"]) == ("queued", None)
+    assert client.get("/v1/cases/1/verification").json() == asked.json()
+
+
 # --- many at once
 
 

@@ -1,0 +1,23 @@
+"""Verifications over HTTP."""
+
+from fastapi import APIRouter
+
+from app.cases.routes import CaseId
+from app.context import ContextDep
+from app.verifications import service
+from app.verifications.schemas import VerificationDetail
+
+router = APIRouter(prefix="/v1/cases/{case_id}/verification", tags=["cases"])
+
+
+@router.post("", status_code=202, responses={409: {"description": "Not computed"}})
+def verify_case(case_id: CaseId, context: ContextDep) -> VerificationDetail:
+    """Let a stored case be computed once more, when no queued case waits, to see whether it gives the same numbers."""
+    return service.request(context, case_id)
+
+
+@router.get("")
+def get_verification(case_id: CaseId, context: ContextDep) -> VerificationDetail:
+    """Get what came of the latest verification of a case."""
+    with context.database.read() as session:
+        return service.get(session, case_id)

@@ -1,0 +1,54 @@
+"""What can be done with verifications."""
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.cases import queue
+from app.context import Context
+from app.db.models import Case, Verification
+from app.problems import Problem, not_found
+from app.verifications.schemas import VerificationDetail
+
+
+def request(context: Context, case_id: int) -> VerificationDetail:
+    """Queue a verification of a case, unless one is on its way.
+
+    Raises
+    ------
+    Problem
+        404 if there is no such case, 409 if it has no result to be verified.
+    """
+    with context.database.write() as session:
+        queue.one_at_a_time(session)
+        case = session.get(Case, case_id)
+        if case is None:
+            raise not_found("case")
+        if case.state != "succeeded":
+            raise Problem(409, f"The case is {case.state}: there is nothing to verify.", code="case-not-succeeded")
+        latest = _latest(session, case_id)
+        if latest is None or latest.state not in queue.UNFINISHED:
+            latest = Verification(case_id=case_id)
+            session.add(latest)
+            session.flush()
+        answer = VerificationDetail.model_validate(latest)
+    context.doorbell.ring()
+    return answer
+
+
+def get(session: Session, case_id: int) -> VerificationDetail:
+    """The latest verification of a case.
+
+    Raises
+    ------
+    Problem
+        404 if there is none.
+    """
+    latest = _latest(session, case_id)
+    if latest is None:
+        raise not_found("verification")
+    return VerificationDetail.model_validate(latest)
+
+
+def _latest(session: Session, case_id: int) -> Verification | None:
+    of_case = select(Verification).where(Verification.case_id == case_id)
+    return session.scalars(of_case.order_by(Verification.id.desc()).limit(1)).first()
