@@ -125,6 +125,16 @@ def test_a_new_study_revives_what_another_cancelled(client: httpx.Client, databa
     assert events(database, first)[-1] == "done"
 
 
+def test_the_last_of_several_studies_takes_the_cases_along(
+    client: httpx.Client, database: Database, study: Body
+) -> None:
+    urls = [post(client, study) for _ in range(2)]
+    for url in urls:
+        assert client.post(f"{url}/cancel").json()["state"] == "cancelled"
+    assert counts(client, urls[0]) == {"cancelled": 4}
+    assert take(database) == []
+
+
 def test_cancelling_and_creating_at_once(client: httpx.Client, database: Database, study: Body) -> None:
     """Whoever comes first: the case is computed for the one that still wants it, and only then."""
     for n in range(8):
