@@ -11,6 +11,7 @@ import httpx
 import pytest
 from sqlalchemy import func, select, text
 from sqlalchemy.exc import OperationalError
+from sqlalchemy.orm import Session
 
 from app.db.models import Event
 from app.db.session import Database
@@ -143,7 +144,7 @@ def test_cut_fifty_times_no_event_is_lost_or_repeated(
 def test_events_of_a_study_are_committed_in_order(
     client: httpx.Client, database: Database, study: dict[str, Any]
 ) -> None:
-    """Nobody gets a number for an event while a lower one is not committed. (SQLite has one writer at a time anyway.)"""
+    """Nobody gets a number for an event while a lower one is not committed. (SQLite has one writer anyway.)"""
     post(client, study)
     with database.write() as session:
         first, second = (claim(session, "test", 15.0, lanes=1)[0] for _ in range(2))
@@ -152,9 +153,10 @@ def test_events_of_a_study_are_committed_in_order(
     with database.write() as session:
         assert lease.succeed(session, first, **outcome)
         if postgresql:
-            with pytest.raises(OperationalError, match="lock timeout"), database.write() as other:
+            with Session(database.engine) as other:
                 other.execute(text("SET LOCAL lock_timeout = '50ms'"))
-                lease.succeed(other, second, **outcome)
+                with pytest.raises(OperationalError, match="lock timeout"):
+                    lease.succeed(other, second, **outcome)
     with database.write() as session:
         assert lease.succeed(session, second, **outcome)
 
