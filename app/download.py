@@ -10,6 +10,8 @@ from fastapi.responses import StreamingResponse
 from app.conditional import NOT_CHANGED
 from app.problems import Problem
 
+PARQUET = "application/vnd.apache.parquet"
+
 # What a route documents that answers ranges of bytes.
 RANGES = NOT_CHANGED | {206: {"description": "The range of bytes asked for"}, 416: {"description": "No such range"}}
 

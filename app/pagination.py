@@ -4,12 +4,12 @@ import hashlib
 import json
 import math
 from base64 import urlsafe_b64decode, urlsafe_b64encode
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict, Field
-from sqlalchemy import ColumnElement, Row, Select, and_, false, or_
+from sqlalchemy import ColumnElement, Row, Select, tuple_
 from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from app.problems import invalid
@@ -33,34 +33,45 @@ class PageQuery(BaseModel):
 
 @dataclass(frozen=True)
 class Order:
-    """By one column, then by a unique key. Missing values come last, in either direction."""
+    """By several columns in one direction, the last of them unique. Rows without the first come last in either.
 
-    column: InstrumentedAttribute[Any]
-    key: InstrumentedAttribute[Any]
+    It is two queries, one for the rows that have the first column and one for the others: each reads an index from
+    where the page before ended, which no database does for both at once.
+    """
+
+    columns: tuple[InstrumentedAttribute[Any], ...]
     descending: bool = False
 
-    def clauses(self) -> list[ColumnElement[Any]]:
-        """For ORDER BY."""
-        missing_last = [self.column.is_(None)] if self._nullable else []
-        return [*missing_last, *(c.desc() if self.descending else c.asc() for c in (self.column, self.key))]
+    def parts(self, statement: Select[Any], after: Sequence[Any] | None = None) -> Iterator[Select[Any]]:
+        """The rows of a statement in order, part by part, behind the row that has these values."""
+        first, *rest = self.columns
+        ordered = statement.order_by(*(c.desc() if self.descending else c.asc() for c in self.columns))
+        if not self._nullable:
+            yield ordered.where(*self._beyond(self.columns, after))
+            return
+        if after is None or after[0] is not None:
+            yield ordered.where(first.is_not(None), *self._beyond(self.columns, after))
+            after = None
+        yield ordered.where(first.is_(None), *self._beyond(rest, after and after[1:]))
 
-    def after(self, value: Any, key: Any) -> ColumnElement[bool]:
-        """For WHERE: the rows after the one with these values."""
-        column = self.column
-        further_key = self.key < key if self.descending else self.key > key
-        if value is None:
-            return and_(column.is_(None), further_key)
-        further = column < value if self.descending else column > value
-        missing = column.is_(None) if self._nullable else false()
-        return or_(further, and_(column == value, further_key), missing)
+    def _beyond(
+        self, columns: Sequence[InstrumentedAttribute[Any]], values: Sequence[Any] | None
+    ) -> list[ColumnElement[bool]]:
+        if values is None:
+            return []
+        here = tuple_(*columns)
+        return [here < tuple(values) if self.descending else here > tuple(values)]
 
     @property
     def _nullable(self) -> bool:
-        return bool(self.column.property.columns[0].nullable)
+        return bool(self.columns[0].property.columns[0].nullable)
 
-    def accepts(self, value: object, key: object) -> bool:
+    def accepts(self, values: object) -> bool:
         """Whether a cursor's values can be compared with the columns."""
-        return ((value is None and self._nullable) or _fits(self.column, value)) and _fits(self.key, key)
+        if not isinstance(values, list) or len(values) != len(self.columns):
+            return False
+        first_fits = (values[0] is None and self._nullable) or _fits(self.columns[0], values[0])
+        return first_fits and all(map(_fits, self.columns[1:], values[1:]))
 
 
 def _fits(column: InstrumentedAttribute[Any], value: object) -> bool:
@@ -72,13 +83,13 @@ def _fits(column: InstrumentedAttribute[Any], value: object) -> bool:
     return isinstance(value, str) and "\0" not in value
 
 
-def encode_cursor(question: str, value: object, key: object) -> str:
+def encode_cursor(question: str, values: Sequence[Any]) -> str:
     """An opaque cursor."""
-    return urlsafe_b64encode(json.dumps([question, value, key], separators=(",", ":")).encode()).decode()
+    return urlsafe_b64encode(json.dumps([question, *values], separators=(",", ":")).encode()).decode()
 
 
-def decode_cursor(cursor: str, question: str) -> tuple[Any, Any]:
-    """Value and key of a cursor.
+def decode_cursor(cursor: str, question: str) -> list[Any]:
+    """Values of a cursor.
 
     Raises
     ------
@@ -86,12 +97,12 @@ def decode_cursor(cursor: str, question: str) -> tuple[Any, Any]:
         422 if it is not one of ours, or of another question.
     """
     try:
-        asked, value, key = json.loads(urlsafe_b64decode(cursor.encode()))
+        asked, *values = json.loads(urlsafe_b64decode(cursor.encode()))
     except (ValueError, TypeError, RecursionError):
         raise invalid("/query/cursor", "cursor-unreadable", "The cursor is not one that a page gave.") from None
     if asked != question:
         raise invalid("/query/cursor", "cursor-of-other-query", "The cursor belongs to other filters or order.")
-    return value, key
+    return values
 
 
 def fetch_page(
@@ -107,15 +118,16 @@ def fetch_page(
     page_size = query.page_size or min(DEFAULT_PAGE_SIZE, max_page_size)
     if page_size > max_page_size:
         raise invalid("/query/page_size", "page-size-over-limit", f"A page holds at most {max_page_size} rows.")
-    question = query.question()
+    question, after = query.question(), None
     if query.cursor is not None:
-        value, key = decode_cursor(query.cursor, question)
-        if not order.accepts(value, key):
+        after = decode_cursor(query.cursor, question)
+        if not order.accepts(after):
             raise invalid("/query/cursor", "cursor-unreadable", "The cursor is not one that a page gave.")
-        statement = statement.where(order.after(value, key))
-    statement = statement.add_columns(order.column.label("sort_value"), order.key.label("sort_key"))
-    rows = session.execute(statement.order_by(*order.clauses()).limit(page_size + 1)).all()
+    places = [column.label(f"place_{n}") for n, column in enumerate(order.columns)]
+    rows: list[Row[Any]] = []
+    for part in order.parts(statement.add_columns(*places), after):
+        if len(rows) <= page_size:
+            rows += session.execute(part.limit(page_size + 1 - len(rows))).all()
     if len(rows) <= page_size:
         return rows, None
-    last = rows[page_size - 1]
-    return rows[:page_size], encode_cursor(question, last.sort_value, last.sort_key)
+    return rows[:page_size], encode_cursor(question, rows[page_size - 1][-len(places) :])

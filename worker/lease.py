@@ -85,7 +85,8 @@ def succeed(
         return release(session, held)
     _end(session, held, "succeeded", {"progress": 1.0, "cpu_s": cpu_s, "processing": processing, "error": None})
     session.execute(delete(Peak).where(Peak.case_id == held.case_id))
-    session.add_all(Peak(case_id=held.case_id, **peak) for peak in peaks)
+    case = session.execute(select(Case.speed_kmh, Case.percentile).where(Case.id == held.case_id)).one()
+    session.add_all(Peak(case_id=held.case_id, **case._mapping, **peak) for peak in peaks)
     if history is not None:
         session.execute(delete(History).where(History.case_id == held.case_id))
         session.add(History(case_id=held.case_id, **history))

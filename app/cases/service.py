@@ -25,7 +25,7 @@ def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: 
     statement = select(Case).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
     if query.state is not None:
         statement = statement.where(Case.state == query.state)
-    order = Order(ORDERS[query.sort.removeprefix("-")], Case.id, descending=query.sort.startswith("-"))
+    order = Order((ORDERS[query.sort.removeprefix("-")], Case.id), descending=query.sort.startswith("-"))
     rows, cursor = fetch_page(session, statement, query, order, max_page_size)
     return CasePage(items=[CaseSummary.model_validate(row.Case) for row in rows], next_cursor=cursor)
 

@@ -18,6 +18,7 @@ from app.db.types import BigKey, Clock
 
 CaseState = Literal["queued", "running", "succeeded", "failed", "cancelled"]
 StudyState = Literal["queued", "running", "cancelling", "succeeded", "partially_failed", "failed", "cancelled"]
+STATISTICS = ("peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "track_position_m")
 EventKind = Literal["state", "case", "done"]
 VerificationState = Literal["queued", "running", "succeeded", "failed"]
 VerificationOutcome = Literal["same", "differs"]
@@ -101,6 +102,12 @@ class Case(Base):
     finished_at: Mapped[float | None]
 
 
+CONDITIONS = (
+    *("speed_kmh", "slab", "irregularity", "spectrum", "percentile", "wavelength_min_m", "wavelength_max_m"),
+    *("seed", "realisation", "wavelength_m", "amplitude_mm", "solver_version"),
+)
+for _name in CONDITIONS:
+    Index(None, getattr(Case, _name), Case.id)
 Index("ix_case_queue", Case.state, Case.priority.desc(), Case.turn, Case.id)
 Index("ix_case_operator", Case.operator_key, Case.state, Case.priority, Case.id)
 
@@ -128,7 +135,13 @@ class Peak(Base):
     """Peak and statistics of one quantity at one position, in ``unit``, over the steady window of a case."""
 
     __tablename__ = "peak"
-    __table_args__ = (UniqueConstraint("case_id", "quantity", "position"), Index(None, "quantity", "peak"))
+    __table_args__ = (
+        UniqueConstraint("case_id", "quantity", "position"),
+        *(Index(None, name, "id") for name in ("quantity", "position", "unit", "peak")),
+        # In the order of a statistic; rows of other speeds and percentiles, with which it grows, are passed over
+        # without being looked up.
+        *(Index(f"ix_peak_by_{name}", "quantity", name, "id", "speed_kmh", "percentile") for name in STATISTICS),
+    )
 
     id: Mapped[int] = mapped_column(BigKey, primary_key=True)
     case_id: Mapped[int] = mapped_column(ForeignKey("case.id", ondelete="CASCADE"))
@@ -143,6 +156,8 @@ class Peak(Base):
     rms: Mapped[float]
     time_s: Mapped[float]
     track_position_m: Mapped[float]
+    speed_kmh: Mapped[float]  # of its case, as is the percentile
+    percentile: Mapped[float | None]
 
 
 class History(Base):

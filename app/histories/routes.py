@@ -9,12 +9,11 @@ from fastapi import APIRouter, Depends, Query, Request, Response
 from app.cases.routes import CaseId
 from app.conditional import NOT_CHANGED, not_changed
 from app.context import ContextDep
-from app.download import RANGES, binary, download
+from app.download import PARQUET, RANGES, binary, download
 from app.histories import service
 from app.histories.schemas import HistoryQuery, HistoryView
 
 NPZ = "application/octet-stream"
-PARQUET = "application/vnd.apache.parquet"
 
 
 def _scratch() -> Iterator[BinaryIO]:

@@ -1,19 +1,45 @@
 """Peaks over HTTP."""
 
+from collections.abc import Iterator
+from itertools import chain
 from typing import Annotated
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Query, Response
+from fastapi.responses import StreamingResponse
 
 from app.context import ContextDep
-from app.peaks import repository
-from app.peaks.schemas import PeakFilters, PeakPage, PeakRow
+from app.download import PARQUET, binary
+from app.peaks import export, repository
+from app.peaks.schemas import PeakFilters, PeakPage, PeakQuery, PeakRow
+
+CSV = "text/csv"
 
 router = APIRouter(prefix="/v1/peaks", tags=["peaks"])
 
 
 @router.get("")
-def list_peaks(query: Annotated[PeakFilters, Query()], context: ContextDep) -> PeakPage:
+def list_peaks(query: Annotated[PeakQuery, Query()], context: ContextDep) -> PeakPage:
     """List peaks across studies, with the conditions under which they occur."""
     with context.database.read() as session:
         rows, cursor = repository.find_page(session, query, context.settings.max_page_size)
     return PeakPage(items=[PeakRow.model_validate(row._asdict()) for row in rows], next_cursor=cursor)
+
+
+@router.get(".csv", response_class=Response, responses={200: {"content": {CSV: {"schema": {"type": "string"}}}}})
+def export_peaks_csv(filters: Annotated[PeakFilters, Query()], context: ContextDep) -> Response:
+    """Export peaks as CSV, with the unit of each, its case's digest and the version of the solver."""
+    return _stream(export.as_csv(export.rows(context.database, filters)), CSV, "peaks.csv")
+
+
+@router.get(".parquet", response_class=Response, responses=binary(PARQUET))
+def export_peaks_parquet(filters: Annotated[PeakFilters, Query()], context: ContextDep) -> Response:
+    """Export peaks as Parquet, with the unit of each, its case's digest and the version of the solver."""
+    from app.peaks.parquet import as_parquet  # noqa: PLC0415 - Arrow is slow to load
+
+    return _stream(as_parquet(export.rows(context.database, filters), filters), PARQUET, "peaks.parquet")
+
+
+def _stream(chunks: Iterator[bytes], media_type: str, filename: str) -> Response:
+    begin = next(chunks)  # here an error still becomes a problem
+    headers = {"Cache-Control": "no-store", "Content-Disposition": f'attachment; filename="{filename}"'}
+    return StreamingResponse(chain([begin], chunks), headers=headers, media_type=media_type)

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
-from pydantic import BaseModel, Field, StringConstraints
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 from app.cases.views import Conditions
 from app.pagination import PageQuery
@@ -41,8 +41,10 @@ else:
 Word = Annotated[str, StringConstraints(max_length=100, pattern=r"^[\x21-\x7e]*$")]
 
 
-class PeakFilters(PageQuery):
-    """Which peaks to list."""
+class PeakFilters(BaseModel):
+    """Which peaks, and in which order."""
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
     study_id: Annotated[str, StringConstraints(pattern="^[0-9a-f]{32}$")] | None = None
     quantity: Word | None = None
@@ -59,3 +61,7 @@ class PeakFilters(PageQuery):
     value_min: float | None = Field(default=None, description="Only peaks of at least this, in the quantity's unit.")
     value_max: float | None = Field(default=None, description="Only peaks of at most this, in the quantity's unit.")
     sort: Sort = Field(default="case_id", description="A column; with a minus sign, from large to small.")
+
+
+class PeakQuery(PeakFilters, PageQuery):
+    """Which peaks to list."""

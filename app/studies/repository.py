@@ -63,7 +63,7 @@ def find_page(session: Session, query: StudyQuery, max_page_size: int) -> tuple[
     if query.state is not None:
         derived = overview().subquery()
         chosen = chosen.where(Study.id.in_(select(derived.c.id).where(derived.c.state == query.state)))
-    order = Order(ORDERS[query.sort.removeprefix("-")], Study.id, descending=query.sort.startswith("-"))
+    order = Order((ORDERS[query.sort.removeprefix("-")], Study.id), descending=query.sort.startswith("-"))
     keys, cursor = fetch_page(session, chosen, query, order, max_page_size)
     ids = [key.id for key in keys]
     rows = {row.Study.id: row for row in session.execute(overview(StudyCase.study_id.in_(ids)))}

@@ -20,6 +20,8 @@ OPERATIONS = {
     "download_history": ("get", "/v1/cases/{case_id}/history.npz"),
     "download_history_parquet": ("get", "/v1/cases/{case_id}/history.parquet"),
     "list_peaks": ("get", "/v1/peaks"),
+    "export_peaks_csv": ("get", "/v1/peaks.csv"),
+    "export_peaks_parquet": ("get", "/v1/peaks.parquet"),
     "list_quantities": ("get", "/v1/quantities"),
     "list_spectra": ("get", "/v1/spectra"),
     "list_tracks": ("get", "/v1/tracks"),

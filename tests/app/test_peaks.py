@@ -1,13 +1,20 @@
 """Peaks across studies: every filter, every order, page by page, on both databases."""
 
+import csv
+import io
+import json
 from collections.abc import Callable
 from typing import Any
 
 import httpx
+import psycopg
+import pyarrow.parquet as pq
 import pytest
+from sqlalchemy.exc import OperationalError
 
 from app.db.session import Database
-from app.peaks.schemas import COLUMNS
+from app.peaks import export
+from app.peaks.schemas import COLUMNS, PeakFilters
 from worker import lease
 from worker.claim import claim
 
@@ -82,6 +89,45 @@ def test_peaks_of_one_study(client: httpx.Client, peaks: list[dict[str, Any]]) -
     for study in client.get("/v1/studies").json()["items"]:
         cases = {case["id"] for case in client.get(f"/v1/studies/{study['id']}/cases").json()["items"]}
         assert walk(client, study_id=study["id"]) == [each for each in peaks if each["case_id"] in cases]
+
+
+def test_exports_hold_what_pages_hold(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:
+    digests = {case: client.get(f"/v1/cases/{case}").json()["digest"] for case in {each["case_id"] for each in peaks}}
+    for query in ({}, {"sort": "-percentile", "quantity": "pad_force"}, {"sort": "peak", "slab": "wooden"}):
+        expected = [each | {"case_digest": digests[each["case_id"]]} for each in walk(client, **query)]
+        answer = client.get("/v1/peaks.csv", params=query)
+        assert answer.headers["content-type"] == "text/csv; charset=utf-8"
+        assert answer.headers["content-disposition"] == 'attachment; filename="peaks.csv"'
+        lines = answer.text.split("\r\n")
+        assert lines[0] == ",".join([*COLUMNS, "case_digest"])
+        assert len(lines) == len(expected) + 2  # the last is ended, too
+        texts = [{k: "" if v is None else str(v) for k, v in each.items()} for each in expected]
+        assert list(csv.DictReader(io.StringIO(answer.text, newline=""))) == texts
+        answer = client.get("/v1/peaks.parquet", params=query)
+        assert answer.headers["content-type"] == "application/vnd.apache.parquet"
+        table = pq.read_table(io.BytesIO(answer.content))
+        assert table.to_pylist() == expected
+        assert json.loads(table.schema.metadata[b"filters"]) == {"sort": "case_id"} | query
+        assert table.schema.field("speed_kmh").metadata == {b"unit": b"km/h"}
+        assert table.schema.field("rms").metadata == {b"unit_column": b"unit"}
+
+
+def test_exports_refuse_what_pages_need(client: httpx.Client, problem: Callable[..., dict[str, Any]]) -> None:
+    for file in ("csv", "parquet"):
+        problem(client.get(f"/v1/peaks.{file}", params={"page_size": 5}), 422)
+        problem(client.get(f"/v1/peaks.{file}", params={"speed_kmh_min": "nan"}), 422)
+
+
+@pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
+def test_an_export_breaks_off_with_the_database(peaks: list[dict[str, Any]], database: Database) -> None:
+    batches = export.rows(database, PeakFilters(), at_once=5)
+    written = export.as_csv(batches)
+    assert next(written).count(b"\r\n") == 6
+    with psycopg.connect(database.engine.url.render_as_string().replace("+psycopg", "")) as other:
+        others = "pid <> pg_backend_pid() AND datname = current_database()"
+        other.execute(f"SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE {others}")
+    with pytest.raises(OperationalError):
+        list(written)
 
 
 def walk(client: httpx.Client, **query: str) -> list[dict[str, Any]]:

@@ -1,0 +1,67 @@
+"""Peaks as Parquet, a group of rows at a time, with units and origin in the metadata."""
+
+import io
+from collections.abc import Iterator
+from importlib.metadata import version
+from typing import Any, get_args
+
+import pyarrow as pa  # type: ignore[import-untyped]  # it has no types
+import pyarrow.parquet as pq  # type: ignore[import-untyped]
+from sqlalchemy import Row
+
+from app.db.models import STATISTICS
+from app.peaks.export import NAMES
+from app.peaks.schemas import PeakFilters, PeakRow
+
+_TYPES = {str: pa.string(), float: pa.float64(), int: pa.int64()}
+_UNITS = {"kmh": "km/h", "m": "m", "mm": "mm", "s": "s", "percentile": "%"}
+
+
+class _Outlet(io.RawIOBase):
+    """A file that is read at once by whoever writes it."""
+
+    def __init__(self) -> None:
+        self._waiting: list[bytes] = []
+        self._position = 0
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: Any) -> int:
+        self._waiting.append(bytes(data))
+        self._position += len(data)
+        return len(data)
+
+    def tell(self) -> int:
+        return self._position
+
+    def take(self) -> bytes:
+        """What was written since the last time."""
+        taken = b"".join(self._waiting)
+        self._waiting.clear()
+        return taken
+
+
+def as_parquet(batches: Iterator[list[Row[Any]]], filters: PeakFilters) -> Iterator[bytes]:
+    """As Parquet. The unit of a field is in its metadata, that of a statistic in the column ``unit``."""
+    schema, outlet = _schema(filters), _Outlet()
+    with pq.ParquetWriter(outlet, schema, compression="zstd") as writer:
+        for batch in batches:
+            columns = [
+                pa.array(values, field.type) for values, field in zip(zip(*batch, strict=True), schema, strict=True)
+            ]
+            writer.write_batch(pa.record_batch(columns, schema=schema))
+            yield outlet.take()
+    yield outlet.take()
+
+
+def _schema(filters: PeakFilters) -> pa.Schema:
+    asked = filters.model_dump_json(exclude_none=True)
+    return pa.schema(map(_field, NAMES), {"tracksweep_version": version("tracksweep"), "filters": asked})
+
+
+def _field(name: str) -> pa.Field:
+    kind = PeakRow.model_fields[name].annotation if name in PeakRow.model_fields else str
+    types = get_args(kind) or (kind,)
+    unit = {"unit_column": "unit"} if name in STATISTICS[:6] else {"unit": _UNITS.get(name.rpartition("_")[2], "")}
+    return pa.field(name, _TYPES[types[0]], nullable=type(None) in types, metadata=unit)
