@@ -2,6 +2,7 @@
 
 from dataclasses import MISSING, fields, is_dataclass, replace
 from dataclasses import Field as DataclassField
+from functools import cache
 from typing import Annotated, Any, ClassVar, get_type_hints
 
 from pydantic import BaseModel, ConfigDict, Field, create_model
@@ -80,10 +81,14 @@ def overrides(name: str, cls: type, **more: Any) -> type[Overrides]:
 
 def at_boundary(cls: type, values: dict[str, Any]) -> dict[str, Any]:
     """Values of a dataclass, as its ``asdict`` gives them, under their names at the boundary."""
-    hints, names = get_type_hints(cls), _boundary_names(cls)
+    hints, names = _hints(cls), _boundary_names(cls)
     return {names[k]: at_boundary(hints[k], v) if is_dataclass(hints[k]) else v for k, v in values.items()}
 
 
+_hints = cache(get_type_hints)
+
+
+@cache
 def _boundary_names(cls: type) -> dict[str, str]:
     return {f.name: f.name for f in fields(cls)} | {inside: outside for inside, outside, _ in quantities(cls)}
 

@@ -9,6 +9,7 @@ from fastapi import APIRouter, FastAPI
 from sqlalchemy import select
 
 from app import log, openapi, problems
+from app.analysis.routes import router as analysis
 from app.cases.routes import router as cases
 from app.catalogue.routes import router as catalogue
 from app.context import Context, ContextDep
@@ -83,6 +84,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         cases,
         histories,
         peaks,
+        analysis,
         catalogue,
         verifications,
     ):

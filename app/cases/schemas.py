@@ -1,5 +1,6 @@
 """One case as people write it: units in the names, km/h and mm, named tracks and vehicles."""
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from pydantic import Field
@@ -112,12 +113,14 @@ def conditions(inputs: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def case_file(inputs: dict[str, Any]) -> dict[str, Any]:
-    """The :class:`CaseFile` of a ``Case.to_dict()``, with every value of track, vehicle and numerics spelled out."""
-    parts = {"track": Track, "vehicle": Vehicle, "numerics": Numerics}
+PARTS = {"track": Track, "vehicle": Vehicle, "numerics": Numerics}
+
+
+def case_file(inputs: dict[str, Any], parts: Collection[str] = tuple(PARTS)) -> dict[str, Any]:
+    """The :class:`CaseFile` of a ``Case.to_dict()``, with every value of these parts of the model spelled out."""
     return {
         "speed_kmh": conditions(inputs)["speed_kmh"],
         "slab": inputs["slab"],
         "irregularity": irregularities.at_boundary(inputs["irregularity"]),
-        **{name: at_boundary(cls, inputs[name]) for name, cls in parts.items()},
+        **{name: at_boundary(PARTS[name], inputs[name]) for name in parts},
     }

@@ -19,6 +19,8 @@ OPERATIONS = {
     "get_history": ("get", "/v1/cases/{case_id}/history"),
     "download_history": ("get", "/v1/cases/{case_id}/history.npz"),
     "download_history_parquet": ("get", "/v1/cases/{case_id}/history.parquet"),
+    "compare_study": ("get", "/v1/studies/{study_id}/comparison"),
+    "summarise_study": ("get", "/v1/studies/{study_id}/statistics"),
     "list_peaks": ("get", "/v1/peaks"),
     "export_peaks_csv": ("get", "/v1/peaks.csv"),
     "export_peaks_parquet": ("get", "/v1/peaks.parquet"),

@@ -1,0 +1,1 @@
+"""What a study shows: differences along one axis, and statistics over realisations."""
