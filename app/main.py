@@ -17,6 +17,7 @@ from app.db.models import Study
 from app.db.session import Database
 from app.histories.routes import router as histories
 from app.peaks.routes import router as peaks
+from app.profiles.routes import router as profiles
 from app.queue import Doorbell
 from app.requests import HeadMiddleware, RequestIdMiddleware
 from app.settings import Settings
@@ -87,6 +88,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         analysis,
         catalogue,
         verifications,
+        profiles,
     ):
         app.include_router(router)
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way

@@ -9,7 +9,7 @@ from app.problems import MEDIA_TYPE, ProblemDetails
 
 REFERENCE = "#/components/schemas/{model}"
 ALWAYS = {"422": "Invalid", "503": "Database or disk away"}
-WITH_BODY = {"400": "Not JSON", "413": "Body too large", "415": "Body of another type"}
+WITH_BODY = {"400": "Unparsable", "413": "Body too large", "415": "Body of another type"}
 WITH_PATH = {"404": "Not found"}
 
 

@@ -37,7 +37,7 @@ log = structlog.get_logger()
 class FieldProblem(BaseModel):
     """What is wrong with one field of a request."""
 
-    pointer: str = Field(description="JSON Pointer into the body, or /query/NAME or /header/NAME.")
+    pointer: str = Field(description="JSON Pointer into the body, or /line/N of CSV, /query/NAME or /header/NAME.")
     code: str = Field(description="Stable name of the reason.")
     detail: str = Field(description="The reason in words.")
 

@@ -16,6 +16,8 @@ from structlog.contextvars import bound_contextvars
 
 from app.problems import Problem
 
+CSV = "text/csv"
+
 
 class JsonRequest(Request):
     """A request whose body is limited, and is JSON as Pydantic reads it.
@@ -27,14 +29,7 @@ class JsonRequest(Request):
     async def body(self) -> bytes:
         """The body, once it is known to be of the right type and size."""
         if not hasattr(self, "_limited_body"):
-            limit = self.app.state.context.settings.max_body_bytes
-            chunks, size = [], 0
-            async for chunk in self.stream():
-                size += len(chunk)
-                if size > limit:
-                    raise Problem(413, f"The body is larger than {limit} bytes.")
-                chunks.append(chunk)
-            self._limited_body = b"".join(chunks)
+            self._limited_body = await _read(self, self.app.state.context.settings.max_body_bytes)
             if self._limited_body and not _is_json(self.headers.get("content-type", "")):
                 raise Problem(415, "The body must be application/json.", headers={"Accept": "application/json"})
         return self._limited_body
@@ -47,11 +42,37 @@ class JsonRequest(Request):
             raise Problem(400, f"The body is not JSON: {error}.") from None
 
 
+async def csv_text(request: Request) -> str:
+    """The body of a request, as a dependency: CSV in UTF-8."""
+    content = await _read(request, request.app.state.context.settings.max_profile_bytes)
+    if _media_type(request.headers.get("content-type", "")).get_content_type() != CSV:
+        raise Problem(415, f"The body must be {CSV}.", headers={"Accept": CSV})
+    try:
+        return content.decode()
+    except UnicodeDecodeError as error:
+        raise Problem(400, f"The body is not UTF-8: {error.reason} at byte {error.start}.") from None
+
+
+async def _read(request: Request, limit: int) -> bytes:
+    chunks, size = [], 0
+    async for chunk in request.stream():
+        size += len(chunk)
+        if size > limit:
+            raise Problem(413, f"The body is larger than {limit} bytes.")
+        chunks.append(chunk)
+    return b"".join(chunks)
+
+
 def _is_json(content_type: str) -> bool:
-    header = Message()
-    header["content-type"] = content_type
+    header = _media_type(content_type)
     subtype = header.get_content_subtype()
     return header.get_content_maintype() == "application" and (subtype == "json" or subtype.endswith("+json"))
+
+
+def _media_type(content_type: str) -> Message:
+    header = Message()
+    header["content-type"] = content_type
+    return header
 
 
 class JsonRoute(APIRoute):

@@ -34,6 +34,7 @@ class Settings(BaseSettings):
     max_cases_per_study: int = Field(default=10_000, ge=1, description="Largest study that is accepted.")
     max_page_size: int = Field(default=500, ge=1, description="Largest page of a list.")
     max_body_bytes: int = Field(default=1_000_000, ge=1, description="Largest request body.")
+    max_profile_bytes: int = Field(default=10_000_000, ge=1, description="Largest measured profile, as CSV.")
 
     max_watchers: int = Field(default=100, ge=1, description="Streams of events that one API process keeps open.")
     watch_keep_alive_s: float = Field(default=15.0, gt=0, description="Longest silence of a stream of events.")

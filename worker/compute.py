@@ -4,7 +4,7 @@ import hashlib
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import structlog
@@ -12,6 +12,7 @@ from sqlalchemy.exc import InterfaceError, OperationalError
 from sqlalchemy.orm import Session
 
 from app.db.session import Database
+from app.profiles.repository import samples
 from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
@@ -20,6 +21,7 @@ from solver.case import Case
 from solver.errors import SolverError
 from solver.peaks import peaks
 from solver.processing import processing
+from solver.railhead import Samples
 from solver.simulate import Response, solve
 from worker import lease, presence, verification
 from worker.claim import Claim, claim
@@ -56,6 +58,7 @@ class Worker:
         self.doorbell = Doorbell(settings)
         self.histories = HistoryStore(settings.resolved_storage_url)
         self.name = presence.own_name()
+        self.profiles = lru_cache(maxsize=4)(self._read_profile)  # cases of a study share them
 
     def drain(self) -> int:
         """Compute cases until none is queued or the worker is to stop. Returns how many."""
@@ -116,7 +119,9 @@ class Worker:
         began = time.process_time()
         try:
             heartbeat.progress(batch, 0.0)
-            results = solve([Case.from_dict(held.inputs) for held in batch], partial(heartbeat.progress, batch))
+            results = solve(
+                [Case.from_dict(held.inputs, self.profiles) for held in batch], partial(heartbeat.progress, batch)
+            )
         except StoppedError:
             yield from ((held, partial(lease.release, held=held)) for held in batch)
             return
@@ -136,6 +141,10 @@ class Worker:
         cpu_s = (time.process_time() - began) / len(batch)
         for held, result in zip(batch, results, strict=True):
             yield held, self._outcome(held, result, cpu_s) if heartbeat.holds(held) else _lost
+
+    def _read_profile(self, profile_id: str) -> Samples:
+        with self.database.read() as session:
+            return samples(session, profile_id)
 
     def _outcome(self, held: Claim, result: Response | SolverError, cpu_s: float) -> Outcome:
         """What came of a case, which took some processor time so far."""

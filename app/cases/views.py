@@ -65,7 +65,10 @@ class StoredHistory(BaseModel):
 class CaseDetail(CaseSummary):
     """A case with everything that went into it."""
 
-    inputs: dict[str, Any] = Field(description="The case as `tracksweep solve` takes it, every value spelled out.")
+    inputs: dict[str, Any] = Field(
+        description="The case as `tracksweep solve` takes it, every value spelled out; of a measured profile, the "
+        "`profile_id`, where `tracksweep solve` takes a file."
+    )
     processing: dict[str, Any] | None = Field(
         description="How its peaks were derived: sampling, window, filters, indices, conventions. Null for a case that "
         "has not succeeded or was computed before this was stored."

@@ -151,6 +151,8 @@ class Limits(BaseModel):
     max_cases_per_study: int
     max_page_size: int
     max_body_bytes: int
+    max_profile_bytes: int
+    max_profile_points: int
     max_labels: int
     max_irregularity_terms: int
     max_spectrum_points: int

@@ -24,6 +24,7 @@ from app.studies.sweep.vary import PARAMETERS, Parameter
 from solver.catalogue import SPECTRA, TREADS, Entry
 from solver.channels import CHANNELS
 from solver.observables import OBSERVABLES, Observable
+from solver.railhead import MAX_POINTS as MAX_PROFILE
 from solver.railhead import MAX_TERMS
 from solver.spectrum import MAX_POINTS, SPECTRUM_KINDS, AnySpectrum
 
@@ -144,6 +145,8 @@ def limits(settings: Settings) -> Limits:
         max_cases_per_study=settings.max_cases_per_study,
         max_page_size=settings.max_page_size,
         max_body_bytes=settings.max_body_bytes,
+        max_profile_bytes=settings.max_profile_bytes,
+        max_profile_points=MAX_PROFILE,
         max_labels=MAX_LABELS,
         max_irregularity_terms=MAX_TERMS,
         max_spectrum_points=MAX_POINTS,

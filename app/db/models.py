@@ -8,6 +8,7 @@ from sqlalchemy import (
     Double,
     ForeignKey,
     Index,
+    LargeBinary,
     MetaData,
     String,
     UniqueConstraint,
@@ -129,6 +130,32 @@ class StudyCase(Base):
     study_id: Mapped[str] = mapped_column(ForeignKey("study.id", ondelete="CASCADE"), primary_key=True)
     case_id: Mapped[int] = mapped_column(ForeignKey("case.id"), primary_key=True, index=True)
     position: Mapped[int]
+
+
+class Profile(Base):
+    """A measured profile of the rail head, named by the digest of its samples."""
+
+    __tablename__ = "profile"
+
+    id: Mapped[str] = mapped_column(String(64), primary_key=True)
+    samples: Mapped[bytes] = mapped_column(LargeBinary, deferred=True)  # megabytes: read where they are asked for
+    points: Mapped[int]
+    start_m: Mapped[float]
+    end_m: Mapped[float]
+    wavelength_min_m: Mapped[float]
+    wavelength_max_m: Mapped[float]
+    lowest_mm: Mapped[float]
+    highest_mm: Mapped[float]
+    created_at: Mapped[float] = mapped_column(default=Clock(), index=True)
+
+
+class StudyProfile(Base):
+    """That a study uses a profile, which therefore stays."""
+
+    __tablename__ = "study_profile"
+
+    study_id: Mapped[str] = mapped_column(ForeignKey("study.id", ondelete="CASCADE"), primary_key=True)
+    profile_id: Mapped[str] = mapped_column(ForeignKey("profile.id"), primary_key=True, index=True)
 
 
 class Peak(Base):

@@ -60,7 +60,7 @@ def estimate(context: Context, request: StudyRequest) -> StudyEstimate:
     Problem
         As creating it would.
     """
-    cases = service.expand(request, context.settings.max_cases_per_study)
+    cases = service.expand(context, request)
     by_digest = {case.digest(): case for case in cases}
     with context.database.read() as session:
         known = {row.digest: row for row in _known(session, by_digest)}

@@ -1,6 +1,7 @@
 """What can be done with studies."""
 
 import hashlib
+from functools import cache, partial
 from typing import Any
 from uuid import uuid4
 
@@ -13,6 +14,7 @@ from app.cases.repository import enqueue, row_of
 from app.context import Context
 from app.db.models import Study, StudyCase
 from app.problems import FieldProblem, Problem, invalid, not_found
+from app.profiles import repository as profiles
 from app.studies import forecast, repository
 from app.studies.schemas import (
     CaseCounts,
@@ -35,7 +37,7 @@ def create(context: Context, request: StudyRequest, key: str | None) -> StudyDet
     Problem
         422 if the study is too large, its values contradict each other, or the key belongs to another request.
     """
-    cases = expand(request, context.settings.max_cases_per_study)
+    cases = expand(context, request)
     rows = {row["digest"]: row for row in (row_of(case, request.priority) for case in cases)}
     digest = hashlib.sha256(request.model_dump_json().encode()).hexdigest()
     with context.database.write() as session:
@@ -43,6 +45,7 @@ def create(context: Context, request: StudyRequest, key: str | None) -> StudyDet
         if key is not None and (answer := idempotency.recall(session, key, digest)) is not None:
             return StudyDetail.model_validate(answer)
         study = get(session, _store(session, request, rows))
+        profiles.hold(session, study.id, profiles.used_by(cases))
         if key is not None:
             idempotency.remember(session, key, digest, study.model_dump(mode="json"))
     if study.cases.queued:
@@ -50,7 +53,7 @@ def create(context: Context, request: StudyRequest, key: str | None) -> StudyDet
     return study
 
 
-def expand(request: StudyRequest, limit: int) -> list[Case]:
+def expand(context: Context, request: StudyRequest) -> list[Case]:
     """The cases of a study, counted before they are made.
 
     Raises
@@ -58,12 +61,13 @@ def expand(request: StudyRequest, limit: int) -> list[Case]:
     Problem
         422 if there are more than the limit, or the values contradict each other.
     """
-    if (count := request.count()) > limit:
+    if (count := request.count()) > (limit := context.settings.max_cases_per_study):
         detail = f"The sweep has {count} cases; a study may have {limit} (max_cases_per_study)."
         error = FieldProblem(pointer="/sweep", code="max-cases-per-study", detail=detail)
         raise Problem(422, detail, code="max-cases-per-study", errors=[error])
     try:
-        return request.expand()
+        with context.database.read() as session:
+            return request.expand(cache(partial(profiles.samples, session)))
     except ContradictionError as error:
         raise invalid(error.pointer, "contradiction", error.detail) from None
 

@@ -30,6 +30,11 @@ OPERATIONS = {
     "list_vehicles": ("get", "/v1/vehicles"),
     "list_presets": ("get", "/v1/presets"),
     "get_limits": ("get", "/v1/limits"),
+    "create_profile": ("post", "/v1/profiles"),
+    "list_profiles": ("get", "/v1/profiles"),
+    "get_profile": ("get", "/v1/profiles/{profile_id}"),
+    "download_profile": ("get", "/v1/profiles/{profile_id}/profile.csv"),
+    "delete_profile": ("delete", "/v1/profiles/{profile_id}"),
 }
 
 

@@ -1,0 +1,1 @@
+"""Measured profiles of the rail head: uploaded once, named by their digest in any number of studies."""
