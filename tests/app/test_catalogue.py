@@ -84,12 +84,16 @@ def test_presets_can_be_posted_by_name_and_as_they_are(client: httpx.Client) -> 
 def test_limits_are_those_that_are_kept(lenient_client: httpx.Client, study: dict[str, Any], problem: Check) -> None:
     limits = lenient_client.get("/v1/limits").json()
     assert limits["max_cases_per_study"] == 1000
-    for each in limits["parameters"]:
+    parameters = {each.pop("path"): each for each in limits["parameters"]}
+    bounds = {"minimum": 0, "exclusive_minimum": None, "maximum": 1e9, "exclusive_maximum": None}
+    shear = {"unit": "N s/m", "meaning": "damping of a jump between slabs", "integer": False}
+    assert parameters["track.joint.shear_damping_ns_per_m"] == shear | bounds
+    for path, each in parameters.items():
         if each["maximum"] is not None:
             above = 2 * each["maximum"]
-            study["sweep"]["vary"] = {each["path"]: [int(above) if each["integer"] else above]}
+            study["sweep"]["vary"] = {path: [int(above) if each["integer"] else above]}
             (error,) = problem(lenient_client.post("/v1/studies", json=study), 422)["errors"]
-            assert error["pointer"] == f"/sweep/vary/{each['path']}/0"
+            assert error["pointer"] == f"/sweep/vary/{path}/0"
 
 
 def test_too_many_cases_are_counted_and_never_made(lenient_client: httpx.Client, problem: Check) -> None:

@@ -161,7 +161,9 @@ def test_axes_of_a_zip_are_walked_together_and_single_values_stay() -> None:
 
 def test_realisations_of_a_zip_belong_to_every_row() -> None:
     spectrum = {"kind": "spectrum", "percentile": [25, 90], "wavelength_band_m": [BAND], "realisations": 3}
-    cases = study(kind="zip", speed_kmh=[300, 350], irregularity=spectrum).expand()
+    request = study(kind="zip", speed_kmh=[300, 350], irregularity=spectrum)
+    cases = request.expand()
+    assert len(cases) == request.count() == 6
     found = [conditions(case.to_dict()) for case in cases]
     assert [(each["speed_kmh"], each["percentile"], each["realisation"]) for each in found] == [
         (speed, percentile, n) for speed, percentile in ((300, 25), (350, 90)) for n in range(3)
