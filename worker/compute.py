@@ -95,7 +95,7 @@ class Worker:
 
     def _verified(self, held: verification.Claim, heartbeat: Heartbeat) -> Outcome:
         try:
-            (result,) = solve([Case.from_dict(held.inputs)], partial(heartbeat.progress, [held]))
+            (result,) = solve([Case.from_dict(held.inputs, self.profiles)], partial(heartbeat.progress, [held]))
             if isinstance(result, SolverError):
                 return partial(verification.fail, held=held, code=result.code, detail=str(result))
             return partial(verification.compare, held=held, computed=[peak_at_boundary(peak) for peak in peaks(result)])

@@ -93,7 +93,7 @@ def csv(session: Session, profile_id: str) -> bytes:
 
 def list_page(session: Session, query: ProfileQuery, max_page_size: int) -> ProfilePage:
     """A page of profiles."""
-    order = Order(Profile.created_at, Profile.id, descending=query.sort.startswith("-"))
+    order = Order((Profile.created_at, Profile.id), descending=query.sort.startswith("-"))
     rows, cursor = fetch_page(session, select(Profile), query, order, max_page_size)
     return ProfilePage(items=[ProfileInfo.model_validate(row.Profile) for row in rows], next_cursor=cursor)
 
