@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from solver.arrays import Array
+from solver.arrays import Array, aligned_zeros
 from solver.case import Case
 from solver.channels import CHANNELS, TRACK
 from solver.contact import WHEELS, hertz_constant
@@ -14,48 +14,54 @@ from solver.irregularity import sample
 from solver.joint import joint_operator, joint_state
 from solver.kernels import stencils
 from solver.march import march
-from solver.periodic import periodic_operator
+from solver.periodic import PeriodicOperator, periodic_operator
 from solver.record import sensors
+from solver.segments import padded, segments
 from solver.start import static_equilibrium
 from solver.state import SIZE, Operator, State, Vehicles
 from solver.track import NODE, TrackModel
-from solver.vehicle import vehicle_matrices, wheel_positions
+from solver.vehicle import WHEELSETS, vehicle_matrices, wheel_positions
 
-MAX_LANES = 8
+MAX_LANES = 8  # as many doubles as the widest registers hold; more gained nothing, fewer cost more each
+FEW = 2  # cases that take less time one after the other, each in all lanes, than side by side in a block
 LIMIT = 0.1  # m of rail displacement beyond which a run has diverged
 
 
 def lane_width(cases: int) -> int:
-    """Lanes of a block that holds some cases: a power of two, so that few widths are compiled."""
-    return 1 << (cases - 1).bit_length()
+    """Lanes in which to compute some of as many cases: one or all, as every width takes a while to compile."""
+    return 1 if cases <= FEW else MAX_LANES
 
 
 class Block:
-    """Up to ``MAX_LANES`` cases marching together; unused lanes repeat the last case.
+    """Cases marching together. One alone fills the registers with segments of its track.
 
     Parameters
     ----------
     cases : sequence of Case
         All with the same :meth:`Case.operator_key`.
+    width : int, optional
+        Lanes, where there are to be more than cases: the others repeat the last case.
     """
 
-    def __init__(self, cases: Sequence[Case]) -> None:
-        width = lane_width(len(cases))
+    def __init__(self, cases: Sequence[Case], width: int | None = None) -> None:
+        width = width or len(cases)
         self.cases = [*cases, *(width - len(cases)) * [cases[-1]]]
         case = self.case = cases[0]
         self.model = TrackModel(case)
         self.scheme = integrator(case.time_step, case.numerics.spectral_radius)
         self.wheels = self.axles()
-        self.stencils = stencils(self.model, self.scheme.step)
-        self.operator = _operator(self.model, self.scheme, self.wheels)
+        self.stencils = stencils(self.model, self.scheme)
+        periodic = periodic_operator(self.model, self.scheme, self.wheels)
+        self.segments = segments(periodic) if width == 1 else None
+        self.operator = _operator(self.model, periodic, self.wheels)
         self.sensors = sensors(self.model, self.wheels)
-        self.vehicles = _vehicles(self.cases, self.scheme)
         self.lanes = (0.0,) * width
         self.settle_steps = math.ceil(case.numerics.settle / case.time_step)
         self.window_steps = max(1, round(case.numerics.window / case.time_step))
         self.eta = self._irregularity()
         self.joints = joint_operator(self.model, self.scheme, self.operator.blocks, self.operator.block_of_cell)
-        self.state = self._start()
+        self.state, self.hanging = self._start()
+        self.vehicles = _vehicles(self.cases, self.scheme, self.hanging)
         self.joint_state = joint_state(self.joints.joints, width)
         self.done = 0
 
@@ -83,19 +89,30 @@ class Block:
         s = np.clip(np.arange(1, self.steps + 1) * self.case.time_step / self.case.numerics.ease_in, 0, 1)
         return eta * (s**3 * (10 - 15 * s + 6 * s**2))[:, None, None]
 
-    def _start(self) -> State:
+    def _start(self) -> tuple[State, Array]:
+        """Everything at rest, and the displacements (lanes, 10) from which those of the vehicles are counted.
+
+        Car body and bogies hang some decimetres below where their springs are slack, and move by fractions of a
+        millimetre: the accelerations would be lost in the rounding of the former.
+        """
         loads = self.model.unit_loads(self.wheels)
         steady = self.model.steady_response(0, loads)
         compliance = loads.T @ steady
         lanes = len(self.cases)
         at_rest = [static_equilibrium(case.vehicle, compliance) for case in self.cases]
         displacement, penetration, force = (np.array(part) for part in zip(*at_rest, strict=True))
-        x = np.stack([steady @ lane for lane in force], axis=1)  # lane by lane: a lane must not know its neighbours
-        return State(
+        hanging = displacement.copy()
+        hanging[:, WHEELSETS] = 0.0
+        rows = len(steady) if self.segments is None else padded(len(steady))
+        x, u, v = (aligned_zeros((rows, lanes)) for _ in range(3))
+        for lane, at_wheels in enumerate(force):  # one by one: a lane must not know its neighbours
+            x[: len(steady), lane] = steady @ at_wheels
+        u[:] = x
+        state = State(
             x=x,
-            u=x.copy(),
-            v=np.zeros_like(x),
-            vehicle_u=displacement,
+            u=u,
+            v=v,
+            vehicle_u=displacement - hanging,
             vehicle_v=np.zeros((lanes, SIZE)),
             vehicle_a=np.zeros((lanes, SIZE)),
             point_a=np.zeros((2 * NODE, lanes)),
@@ -103,6 +120,7 @@ class Block:
             force=np.ascontiguousarray(force.T),
             failed=np.zeros(lanes, bool),
         )
+        return state, hanging
 
     def advance(self, steps: int) -> Array:
         """Take the next steps; channels of shape (steps, lanes, channels)."""
@@ -121,6 +139,7 @@ class Block:
             self.done + 1,
             out,
             self.lanes,
+            self.segments,
         )
         rail = out[:, :, TRACK]
         with np.errstate(invalid="ignore"):
@@ -129,8 +148,7 @@ class Block:
         return out
 
 
-def _operator(model: TrackModel, scheme: Integrator, wheels: Array) -> Operator:
-    periodic = periodic_operator(model, scheme, wheels)
+def _operator(model: TrackModel, periodic: PeriodicOperator, wheels: Array) -> Operator:
     located = [model.locate(position) for position in wheels]
     length, xi = model.element.length, located[0][1]
     track = model.case.track
@@ -146,7 +164,7 @@ def _operator(model: TrackModel, scheme: Integrator, wheels: Array) -> Operator:
     )
 
 
-def _vehicles(cases: Sequence[Case], scheme: Integrator) -> Vehicles:
+def _vehicles(cases: Sequence[Case], scheme: Integrator, hanging: Array) -> Vehicles:
     matrices = [vehicle_matrices(case.vehicle) for case in cases]
     return Vehicles(
         solution=np.array(
@@ -154,6 +172,6 @@ def _vehicles(cases: Sequence[Case], scheme: Integrator) -> Vehicles:
         ),
         mass=np.array([m.mass.diagonal() for m in matrices]),
         damping=np.array([m.damping for m in matrices]),
-        weight=np.array([m.weight for m in matrices]),
+        weight=np.array([m.weight - m.stiffness @ u for m, u in zip(matrices, hanging, strict=True)]),
         hertz=np.array([hertz_constant(case.vehicle) for case in cases]),
     )

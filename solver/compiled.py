@@ -33,12 +33,18 @@ def _cache_folder() -> Path:
     return folder
 
 
-numba.config.CACHE_DIR = str(_cache_folder())  # type: ignore[attr-defined]  # set at import of Numba
+CACHE = _cache_folder()
+numba.config.CACHE_DIR = str(CACHE)  # type: ignore[attr-defined]  # set at import of Numba
 
 
 def compiled(function: Function) -> Function:
     """Compile a function to machine code on its first call and keep the code on disk."""
     return cast(Function, njit(cache=True)(function))
+
+
+def inlined(function: Function) -> Function:
+    """The same for what is called for every node: its code becomes part of its callers'."""
+    return cast(Function, njit(cache=True, forceinline=True)(function))
 
 
 def emitted(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -29,6 +29,8 @@ class Integrator(NamedTuple):
     velocity: float
     drift: float
     kick: float
+    retained: float  # p / inertia is pu plus this times (u1 - pu) of the step before
+    per_damping: float  # q / damping is pu plus this times pv
 
 
 def integrator(step: float, spectral_radius: float) -> Integrator:
@@ -37,13 +39,16 @@ def integrator(step: float, spectral_radius: float) -> Integrator:
     gamma = 0.5 - alpha
     beta = (1 - alpha) ** 2 / 4
     acceleration = 1 / (beta * step**2)
+    inertia, damping = (1 - alpha) * acceleration, gamma / (beta * step)
     return Integrator(
         step=step,
         alpha=alpha,
-        inertia=(1 - alpha) * acceleration,
-        damping=gamma / (beta * step),
+        inertia=inertia,
+        damping=damping,
         acceleration=acceleration,
         velocity=gamma * step,
         drift=(0.5 - beta) * step**2,
         kick=(1 - gamma) * step,
+        retained=-alpha * acceleration / inertia,
+        per_damping=-1 / damping,
     )

@@ -282,10 +282,10 @@ def joint_templates(
         cell_shift=np.array([model.cell_shift(case.track.joint.position, phase) for phase in range(phases)]),
         rows=rows,
         column=np.array([b.column[:2, at] for b, at in zip(blocks, rows, strict=True)]),
-        row=np.array([b.row[:2, at] for b, at in zip(blocks, rows, strict=True)]),
+        row=np.array([factors[:2] * b.row[:2, at] for b, at in zip(blocks, rows, strict=True)]),
         own=blocks[0].own[:2],
         probe=np.array([p[at] for p, at in zip(probe, rows, strict=True)]),
-        window=window,
+        window=np.ascontiguousarray(window.transpose(0, 2, 1)),
         window_lead=int(lead),
         remainder=remainder,
         coupling=coupling,
@@ -332,7 +332,7 @@ def joint_operator(model: TrackModel, scheme: Integrator, factors: Array, block_
         rows = NODE * per_cell
         settled = int(block_of_cell[0, -1] - block_of_cell[0, 0])
         first = settled + math.ceil(templates.window_lead / rows) + 1
-        ahead = math.ceil((templates.window.shape[1] - templates.window_lead) / rows) + 1
+        ahead = math.ceil((templates.window.shape[2] - templates.window_lead) / rows) + 1
         count = (model.cells - ahead - first) // joint.pads_per_slab
         _require_open_joints(model, first + LOCKED_CELLS, first + count * joint.pads_per_slab - LOCKED_CELLS)
     return Joints(

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from solver.arrays import Array
 from solver.compiled import compiled
 from solver.integrator import Integrator
-from solver.kernels import Lanes, Vector
+from solver.kernels import Lanes, Stencils, Vector, moved
 from solver.simd import add, fma, load, scale, store, subtract, zero
 
 # A joint does not open at once where it enters the window, nor close at once where it leaves: springs hold it that
@@ -141,8 +141,8 @@ def solve_joints(c: Joints, state: JointState, step: int, x: Array, lanes: Lanes
             displacement = load(x, row + rows[i], lanes)
             h0 = fma(-probe[i, 0], displacement, h0)
             h1 = fma(-probe[i, 1], displacement, h1)
-        store(state.x, slot, fma(inverse[0, 0], h0, scale(inverse[0, 1], h1)))
-        store(state.x, slot + 1, fma(inverse[1, 0], h0, scale(inverse[1, 1], h1)))
+        store(state.x, slot, fma(inverse[0, 0], h0, scale(inverse[0, 1], h1)), lanes)
+        store(state.x, slot + 1, fma(inverse[1, 0], h0, scale(inverse[1, 1], h1)), lanes)
     if c.sweeps:
         _settle_neighbours(c, state.inverse, state.x, state.x.copy(), phase, first, lanes)
 
@@ -161,8 +161,8 @@ def _settle_neighbours(c: Joints, inverse: Array, x: Array, alone: Array, phase:
                     o0, o1 = load(x, 2 * (other % n), lanes), load(x, 2 * (other % n) + 1, lanes)
                     h0 = fma(k[0, 0], o0, fma(k[0, 1], o1, h0))
                     h1 = fma(k[1, 0], o0, fma(k[1, 1], o1, h1))
-            store(x, slot, fma(own[0, 0], h0, fma(own[0, 1], h1, load(alone, slot, lanes))))
-            store(x, slot + 1, fma(own[1, 0], h0, fma(own[1, 1], h1, load(alone, slot + 1, lanes))))
+            store(x, slot, fma(own[0, 0], h0, fma(own[0, 1], h1, load(alone, slot, lanes))), lanes)
+            store(x, slot + 1, fma(own[1, 0], h0, fma(own[1, 1], h1, load(alone, slot + 1, lanes))), lanes)
 
 
 @compiled
@@ -219,13 +219,13 @@ def rail_under_wheels(c: Joints, step: int, wheel_row: Array, wheel_shape: Array
         slot, begin = 2 * (joint % n), start + (joint - first) * c.slab_rows - c.window_lead
         for wheel in range(wheel_row.shape[0]):
             at = wheel_row[wheel] - begin
-            if at >= 0 and at + 8 <= window.shape[0]:
+            if at >= 0 and at + 8 <= window.shape[1]:
                 for unknown in range(2):
                     rail[slot + unknown, wheel] = (
-                        wheel_shape[wheel, 0] * window[at, unknown]
-                        + wheel_shape[wheel, 1] * window[at + 1, unknown]
-                        + wheel_shape[wheel, 2] * window[at + 6, unknown]
-                        + wheel_shape[wheel, 3] * window[at + 7, unknown]
+                        wheel_shape[wheel, 0] * window[unknown, at]
+                        + wheel_shape[wheel, 1] * window[unknown, at + 1]
+                        + wheel_shape[wheel, 2] * window[unknown, at + 6]
+                        + wheel_shape[wheel, 3] * window[unknown, at + 7]
                     )
 
 
@@ -240,11 +240,20 @@ def open_joints(c: Joints, state: JointState, step: int, x: Array, force: Array,
             jump = load(state.x, unknown, lanes)
             for wheel in range(force.shape[0]):
                 jump = fma(state.response[unknown, wheel], load(force, wheel, lanes), jump)
-            store(state.x, unknown, jump)
+            store(state.x, unknown, jump, lanes)
         j0, j1 = load(state.x, slot, lanes), load(state.x, slot + 1, lanes)
         begin = joint_row(c, step, joint) - c.window_lead
-        for i in range(window.shape[0]):
-            store(x, begin + i, fma(-window[i, 0], j0, fma(-window[i, 1], j1, load(x, begin + i, lanes))))
+        if x.shape[1] == 1:  # in a form in which the compiler fills its vectors with rows
+            _open_joint(x.ravel()[begin : begin + window.shape[1]], window, state.x[slot, 0], state.x[slot + 1, 0])
+            continue
+        for i in range(window.shape[1]):
+            store(x, begin + i, fma(-window[0, i], j0, fma(-window[1, i], j1, load(x, begin + i, lanes))), lanes)
+
+
+@compiled
+def _open_joint(x: Array, window: Array, jump: float, turn: float) -> None:
+    for i in range(x.shape[0]):
+        x[i] -= window[0, i] * jump + window[1, i] * turn
 
 
 @compiled
@@ -259,11 +268,11 @@ def advance_joints(k: Integrator, c: Joints, state: JointState, step: int, lanes
             jump, pu = load(state.x, unknown, lanes), load(state.u, unknown, lanes)
             new = scale(k.acceleration, subtract(jump, pu))
             old = load(state.a, unknown, lanes)
-            store(state.reported, unknown, fma(1 - k.alpha, new, scale(k.alpha, old)))
+            store(state.reported, unknown, fma(1 - k.alpha, new, scale(k.alpha, old)), lanes)
             velocity = scale(kept, fma(k.velocity, new, load(state.v, unknown, lanes)))
-            store(state.u, unknown, fma(k.step, velocity, fma(k.drift, new, jump)))
-            store(state.v, unknown, fma(k.kick, new, velocity))
-            store(state.a, unknown, new)
+            store(state.u, unknown, fma(k.step, velocity, fma(k.drift, new, jump)), lanes)
+            store(state.v, unknown, fma(k.kick, new, velocity), lanes)
+            store(state.a, unknown, new, lanes)
 
 
 @compiled
@@ -279,7 +288,15 @@ def hand_over(c: Joints, state: JointState, step: int) -> None:
 
 @compiled
 def probe_track(
-    k: Integrator, c: Joints, state: JointState, step: int, x: Array, u: Array, v: Array, lanes: Lanes
+    k: Integrator,
+    stencils: Stencils,
+    c: Joints,
+    state: JointState,
+    step: int,
+    x: Array,
+    u: Array,
+    v: Array,
+    lanes: Lanes,
 ) -> None:
     """The joints' right-hand side of a step, from the track's state before it is advanced to that step."""
     phase, first, n = step % c.element.shape[0], first_joint(c, step), c.joints
@@ -291,20 +308,17 @@ def probe_track(
         m, d = c.own[0], c.own[1]
         g0 = fma(m[0, 0], p0, fma(m[0, 1], p1, fma(d[0, 0], q0, scale(d[0, 1], q1))))
         g1 = fma(m[1, 0], p0, fma(m[1, 1], p1, fma(d[1, 0], q0, scale(d[1, 1], q1))))
-        for i in range(row_blocks.shape[1]):
+        for i in range(0, row_blocks.shape[1], 2):  # a value and its slope
             at = row + rows[i]
-            pu = load(u, at, lanes)
-            displacement = load(x, at, lanes)
-            new = scale(k.acceleration, subtract(displacement, pu))
-            velocity = fma(k.velocity, new, load(v, at, lanes))
-            pu = fma(k.step, velocity, fma(k.drift, new, displacement))
-            pv = fma(k.kick, new, velocity)
-            p = fma(-k.alpha, new, scale(k.inertia, pu))
-            q = subtract(scale(k.damping, pu), pv)
-            g0 = fma(row_blocks[0, i, 0], p, fma(row_blocks[1, i, 0], q, g0))
-            g1 = fma(row_blocks[0, i, 1], p, fma(row_blocks[1, i, 1], q, g1))
-        store(state.g, slot, g0)
-        store(state.g, slot + 1, g1)
+            left = stencils.left[at], stencils.left[at + 1]
+            _, _, p, q = moved(k, x, u, v, at, left, lanes)
+            on_p, on_q = row_blocks[0], row_blocks[1]
+            g0 = fma(on_p[i, 0], p[0], fma(on_p[i + 1, 0], p[1], g0))
+            g1 = fma(on_p[i, 1], p[0], fma(on_p[i + 1, 1], p[1], g1))
+            g0 = fma(on_q[i, 0], q[0], fma(on_q[i + 1, 0], q[1], g0))
+            g1 = fma(on_q[i, 1], q[0], fma(on_q[i + 1, 1], q[1], g1))
+        store(state.g, slot, g0, lanes)
+        store(state.g, slot + 1, g1, lanes)
 
 
 @compiled
@@ -330,4 +344,4 @@ def load_track(k: Integrator, c: Joints, state: JointState, step: int, r: Array,
         for i in range(column.shape[1]):
             change = fma(column[0, i, 0], p0, scale(column[0, i, 1], p1))
             change = fma(column[1, i, 0], q0, fma(column[1, i, 1], q1, change))
-            store(r, row + rows[i], add(load(r, row + rows[i], lanes), change))
+            store(r, row + rows[i], add(load(r, row + rows[i], lanes), change), lanes)

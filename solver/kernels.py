@@ -9,24 +9,27 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from solver.arrays import Array
+from solver.banded import store_node
 from solver.beam import HermiteElement
-from solver.compiled import compiled
+from solver.compiled import compiled, inlined
 from solver.integrator import Integrator
-from solver.simd import add, fma, load, scale, store, subtract, zero
+from solver.segments import padded
+from solver.simd import add, coefficient, fma, load, neighbours, scale, store, subtract, zero
 from solver.track import NODE, TrackModel
 
 Vector = Any  # lanes in a register
+Pair = tuple[Vector, Vector]  # a beam's value and slope at a node
 Lanes = tuple[float, ...]
 
 
 class Stencils(NamedTuple):
     """The constant part of ``M p + C q`` and what varies along the track.
 
-    A stencil holds ten numbers: two of a node on itself, four of a node on the next one, four on the one before.
+    ``p`` and ``q`` are kept without the integrator's factors ``inertia`` and ``damping``; these are in here.
     """
 
-    mass: Array  # (10,), to be multiplied by mass or damping per length
-    convection: Array  # (3, 10), times -m V of each beam
+    mass: Array  # (5,) a node on itself and on its neighbours, per mass per length
+    convection: Array  # (3, 4) the same of each beam for the rate at which the track runs through the mesh
     inertia: Array  # (3,) mass per length of rail, slab, base
     mortar_damping: float
     roadbed_damping: float
@@ -34,70 +37,123 @@ class Stencils(NamedTuple):
     elements_per_pad: int
     pad_element: Array  # (phases,)
     pad_weights: Array  # (phases, 4)
-    absorbing_nodes: Array  # nodes that lose velocity in every step
-    absorption: Array  # (nodes, 2) what a step leaves of it, and the slope of that
+    unknowns: int  # of the track; arrays that are cut into segments may be longer
+    left: Array  # (unknowns,) what a step leaves of a node's velocity and, in every second row, its slope, 1/m
 
 
-def stencils(model: TrackModel, step: float) -> Stencils:
-    """Stencils of a track for a step (s)."""
+def stencils(model: TrackModel, scheme: Integrator) -> Stencils:
+    """Stencils of a track for an integrator."""
     t, e, speed = model.case.track, model.element, model.case.speed
     inertia = np.array([t.rail_mass, t.slab_mass, t.base_mass])
-    absorption = model.absorption(step)
+    absorption = model.absorption(scheme.step)
+    left = np.zeros(padded(NODE * len(absorption)))
+    left[: NODE * len(absorption)] = np.tile(absorption, NODE // 2).ravel()
     pads = [model.pad_location(phase) for phase in range(model.case.phases)]
     return Stencils(
         mass=_mass_stencil(e),
-        convection=-speed * inertia[:, None] * _convection_stencil(e),
-        inertia=inertia,
-        mortar_damping=t.mortar_damping,
-        roadbed_damping=t.roadbed_damping,
-        pad_damping=t.pad_damping,
+        convection=-speed * scheme.damping * inertia[:, None] * _convection_stencil(e),
+        inertia=scheme.inertia * inertia,
+        mortar_damping=scheme.damping * t.mortar_damping,
+        roadbed_damping=scheme.damping * t.roadbed_damping,
+        pad_damping=scheme.damping * t.pad_damping,
         elements_per_pad=model.case.numerics.elements_per_pad,
         pad_element=np.array([element for element, _ in pads]),
         pad_weights=np.array([model.shape(xi) for _, xi in pads]),
-        absorbing_nodes=np.flatnonzero(absorption[:, 0] < 1),
-        absorption=absorption,
+        unknowns=NODE * len(absorption),
+        left=left,
     )
 
 
 def _mass_stencil(element: HermiteElement) -> Array:
-    m = element.mass
-    return np.r_[m[0, 0] + m[2, 2], m[1, 1] + m[3, 3], m[2:, :2].ravel(), m[:2, 2:].ravel()]
+    m = element.mass  # an element seen in a mirror is the same element, so five of ten numbers say it all
+    return np.array([m[0, 0] + m[2, 2], m[1, 1] + m[3, 3], m[2, 0], m[2, 1], m[3, 1]])
 
 
 def _convection_stencil(element: HermiteElement) -> Array:
     c = element.convection  # skew: a node acts on itself only from value to slope and back
-    return np.r_[c[0, 1] + c[2, 3], c[1, 0] + c[3, 2], c[2:, :2].ravel(), c[:2, 2:].ravel()]
+    return np.array([c[0, 1] + c[2, 3], c[2, 0], c[2, 1], c[3, 1]])
+
+
+@inlined
+def _spread(m: Array, c: Array, s: Pair, q: Pair, waiting: Pair, passed: Pair) -> tuple[Pair, Pair, Pair]:
+    """Add ``mass s + convection q`` of a beam's node to the node before, to itself and to the node after.
+
+    What a node does to its neighbours has a part that is the same on both sides and one that changes its sign.
+
+    Parameters
+    ----------
+    m, c
+        Stencils.
+    s, q
+        Value and slope at the node.
+    waiting
+        Of the node before, all but this node's part.
+    passed
+        The part of the node before in this node.
+
+    Returns
+    -------
+    before, own, after
+        The node before; this node but for the next one's part; this node's part in the next one.
+    """
+    even0, odd0 = fma(m[2], s[0], scale(c[2], q[1])), fma(m[3], s[1], scale(c[1], q[0]))
+    even1, odd1 = fma(m[4], s[1], scale(-c[2], q[0])), fma(-m[3], s[0], scale(c[3], q[1]))
+    before = subtract(add(waiting[0], even0), odd0), subtract(add(waiting[1], even1), odd1)
+    own = fma(m[0], s[0], fma(c[0], q[1], passed[0])), fma(m[1], s[1], fma(-c[0], q[0], passed[1]))
+    return before, own, (add(even0, odd0), add(even1, odd1))
+
+
+@inlined
+def moved(
+    k: Integrator, x: Array, u: Array, v: Array, row: int, left: Any, lanes: Any
+) -> tuple[Pair, Pair, Pair, Pair]:
+    """Value and slope of a beam at a node from one step to the next.
+
+    Parameters
+    ----------
+    x, u, v : ndarray, shape (unknowns, lanes)
+        Displacements at the end of the step, and what was predicted for it.
+    row : int
+        Of the value; that of the slope follows.
+    left : pair of float or Vector
+        What is left of the velocity here, and its slope.
+
+    Returns
+    -------
+    pu, pv, p, q : Pair
+        Predictors for the next step, and what they add to its right-hand side: p without the factor ``inertia``, q
+        without the factor ``damping``.
+    """
+    x0, x1 = load(x, row, lanes), load(x, row + 1, lanes)
+    change0, change1 = subtract(x0, load(u, row, lanes)), subtract(x1, load(u, row + 1, lanes))
+    gain, drift, kick = k.velocity * k.acceleration, k.drift * k.acceleration, k.kick * k.acceleration
+    rate0, rate1 = fma(gain, change0, load(v, row, lanes)), fma(gain, change1, load(v, row + 1, lanes))
+    rate0, rate1 = scale(left[0], rate0), fma(left[0], rate1, scale(left[1], rate0))
+    pu = fma(k.step, rate0, fma(drift, change0, x0)), fma(k.step, rate1, fma(drift, change1, x1))
+    pv = fma(kick, change0, rate0), fma(kick, change1, rate1)
+    p = fma(k.retained, change0, pu[0]), fma(k.retained, change1, pu[1])
+    q = fma(k.per_damping, pv[0], pu[0]), fma(k.per_damping, pv[1], pu[1])
+    return pu, pv, p, q
+
+
+@inlined
+def _step(k: Integrator, x: Array, u: Array, v: Array, row: int, left: Pair, lanes: Lanes) -> tuple[Pair, Pair]:
+    """Update the predictors of a beam's value and slope at a node; return p and q."""
+    pu, pv, p, q = moved(k, x, u, v, row, left, lanes)
+    store(u, row, pu[0], lanes)
+    store(u, row + 1, pu[1], lanes)
+    store(v, row, pv[0], lanes)
+    store(v, row + 1, pv[1], lanes)
+    return p, q
 
 
 @compiled
-def _spread(m: Array, g: Array, s0: Vector, s1: Vector, q0: Vector, q1: Vector) -> tuple[Vector, ...]:
-    """What a beam's node adds to the node before, itself and the node after, for ``mass s + convection q``."""
-    before0 = fma(m[6], s0, fma(m[7], s1, fma(g[6], q0, scale(g[7], q1))))
-    before1 = fma(m[8], s0, fma(m[9], s1, fma(g[8], q0, scale(g[9], q1))))
-    own0 = fma(m[0], s0, scale(g[0], q1))
-    own1 = fma(m[1], s1, scale(g[1], q0))
-    after0 = fma(m[2], s0, fma(m[3], s1, fma(g[2], q0, scale(g[3], q1))))
-    after1 = fma(m[4], s0, fma(m[5], s1, fma(g[4], q0, scale(g[5], q1))))
-    return before0, before1, own0, own1, after0, after1
+def advance(
+    k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array, lanes: Lanes, along: Lanes | tuple[int, ...]
+) -> None:
+    """One step's solution to the next step's right-hand side, in one pass.
 
-
-@compiled
-def _step(k: Integrator, x: Array, u: Array, v: Array, row: int, lanes: Lanes) -> tuple[Vector, Vector]:
-    """Update the predictors of one row; return its p and q."""
-    pu = load(u, row, lanes)
-    displacement = load(x, row, lanes)
-    acceleration = scale(k.acceleration, subtract(displacement, pu))
-    velocity = fma(k.velocity, acceleration, load(v, row, lanes))
-    pu = fma(k.step, velocity, fma(k.drift, acceleration, displacement))
-    pv = fma(k.kick, acceleration, velocity)
-    store(u, row, pu)
-    store(v, row, pv)
-    return fma(-k.alpha, acceleration, scale(k.inertia, pu)), subtract(scale(k.damping, pu), pv)
-
-
-@compiled
-def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
-    """One step's solution to the next step's right-hand side.
+    On the way the track's ends take away a part of the velocity.
 
     Parameters
     ----------
@@ -106,83 +162,86 @@ def advance(k: Integrator, c: Stencils, phase: int, x: Array, u: Array, v: Array
     phase : int
         Phase of the next step.
     x : ndarray, shape (unknowns, lanes)
-        Displacements at the end of the step.
+        Displacements at the end of the step in; right-hand side of the next step, without the wheels, out.
     u, v : ndarray, shape (unknowns, lanes)
         Predictors of displacement and velocity, updated.
-    r : ndarray, shape (unknowns, lanes)
-        Right-hand side of the next step, without the wheels; may be ``x``.
     lanes : tuple of float
         As many as there are lanes.
+    along : tuple of float or int
+        The same, or one lane cut into segments, to which the arrays are padded.
     """
-    none = zero(lanes)
-    # What waits for the node before (h) and what the node before left for this one (a): w, w', z, z', y, y'.
-    h0 = h1 = h2 = h3 = h4 = h5 = none
-    a0 = a1 = a2 = a3 = a4 = a5 = none
-    nodes = x.shape[0] // NODE
+    none = zero(along)
+    waiting0 = waiting1 = waiting2 = passed0 = passed1 = passed2 = (none, none)  # of rail, slab, base
+    edges = np.empty((2 * NODE, len(along)))
+    together = neighbours(along)
+    nodes = x.shape[0] * x.shape[1] // (NODE * len(along))
     for node in range(nodes):
         row = NODE * node
-        p0, q0 = _step(k, x, u, v, row, lanes)
-        p1, q1 = _step(k, x, u, v, row + 1, lanes)
-        b0, b1, o0, o1, n0, n1 = _spread(
-            c.mass, c.convection[0], scale(c.inertia[0], p0), scale(c.inertia[0], p1), q0, q1
+        left = coefficient(c.left, row, along), coefficient(c.left, row + 1, along)
+        p0, q0 = _step(k, x, u, v, row, left, along)
+        p1, q1 = _step(k, x, u, v, row + 2, left, along)
+        p2, q2 = _step(k, x, u, v, row + 4, left, along)
+        s0 = scale(c.inertia[0], p0[0]), scale(c.inertia[0], p0[1])
+        mortar0 = scale(c.mortar_damping, subtract(q1[0], q2[0]))
+        mortar1 = scale(c.mortar_damping, subtract(q1[1], q2[1]))
+        s1 = fma(c.inertia[1], p1[0], mortar0), fma(c.inertia[1], p1[1], mortar1)
+        s2 = (
+            fma(c.inertia[2], p2[0], subtract(scale(c.roadbed_damping, q2[0]), mortar0)),
+            fma(c.inertia[2], p2[1], subtract(scale(c.roadbed_damping, q2[1]), mortar1)),
         )
-        p2, q2 = _step(k, x, u, v, row + 2, lanes)
-        p3, q3 = _step(k, x, u, v, row + 3, lanes)
-        p4, q4 = _step(k, x, u, v, row + 4, lanes)
-        p5, q5 = _step(k, x, u, v, row + 5, lanes)
-        d0 = scale(c.mortar_damping, subtract(q2, q4))
-        d1 = scale(c.mortar_damping, subtract(q3, q5))
-        b2, b3, o2, o3, n2, n3 = _spread(
-            c.mass, c.convection[1], fma(c.inertia[1], p2, d0), fma(c.inertia[1], p3, d1), q2, q3
-        )
-        s4 = subtract(fma(c.inertia[2], p4, scale(c.roadbed_damping, q4)), d0)
-        s5 = subtract(fma(c.inertia[2], p5, scale(c.roadbed_damping, q5)), d1)
-        b4, b5, o4, o5, n4, n5 = _spread(c.mass, c.convection[2], s4, s5, q4, q5)
+        before0, waiting0, passed0 = _spread(c.mass, c.convection[0], s0, q0, waiting0, passed0)
+        before1, waiting1, passed1 = _spread(c.mass, c.convection[1], s1, q1, waiting1, passed1)
+        before2, waiting2, passed2 = _spread(c.mass, c.convection[2], s2, q2, waiting2, passed2)
         if node > 0:
-            store(r, row - 6, add(h0, b0))
-            store(r, row - 5, add(h1, b1))
-            store(r, row - 4, add(h2, b2))
-            store(r, row - 3, add(h3, b3))
-            store(r, row - 2, add(h4, b4))
-            store(r, row - 1, add(h5, b5))
-        h0, h1, h2, h3, h4, h5 = add(a0, o0), add(a1, o1), add(a2, o2), add(a3, o3), add(a4, o4), add(a5, o5)
-        a0, a1, a2, a3, a4, a5 = n0, n1, n2, n3, n4, n5
-    row = NODE * (nodes - 1)
-    store(r, row, h0)
-    store(r, row + 1, h1)
-    store(r, row + 2, h2)
-    store(r, row + 3, h3)
-    store(r, row + 4, h4)
-    store(r, row + 5, h5)
-    _add_pads(k, c, phase, u, v, r, lanes)
-    for i in range(NODE):
-        store(r, i, none)
+            store_node(x, row - NODE, (*before0, *before1, *before2), along)
+        else:
+            store_node(edges, 0, (*before0, *before1, *before2), together)
+    store_node(x, NODE * (nodes - 1), (*waiting0, *waiting1, *waiting2), along)
+    store_node(edges, NODE, (*passed0, *passed1, *passed2), together)
+    if x.shape[1] < len(along):
+        _join(edges, x)
+    _add_pads(k, c, phase, u, v, x, lanes)
+    for lane in range(x.shape[1]):
+        for row in range(NODE):
+            x[row, lane] = 0.0
+        for row in range(c.unknowns, x.shape[0]):
+            x[row, lane] = 0.0
 
 
 @compiled
+def _join(edges: Array, r: Array) -> None:
+    """Give segments what their neighbours' outer nodes add to them; rows beyond the track's stay zero."""
+    rows = r.shape[0] // edges.shape[1]
+    for segment in range(1, edges.shape[1]):
+        for i in range(NODE):
+            r[segment * rows - NODE + i, 0] += edges[i, segment]
+            r[segment * rows + i, 0] += edges[NODE + i, segment - 1]
+
+
+@inlined
 def _q(k: Integrator, u: Array, v: Array, row: int, lanes: Lanes) -> Vector:
-    return subtract(scale(k.damping, load(u, row, lanes)), load(v, row, lanes))
+    return fma(k.per_damping, load(v, row, lanes), load(u, row, lanes))
 
 
-@compiled
+@inlined
 def _stretch(k: Integrator, u: Array, v: Array, row: int, lanes: Lanes) -> Vector:
     """Q of the rail relative to the slab."""
     return subtract(_q(k, u, v, row, lanes), _q(k, u, v, row + 2, lanes))
 
 
-@compiled
+@inlined
 def _accumulate(r: Array, row: int, factor: float, vector: Vector, lanes: Lanes) -> None:
-    store(r, row, fma(factor, vector, load(r, row, lanes)))
+    store(r, row, fma(factor, vector, load(r, row, lanes)), lanes)
 
 
 @compiled
 def _add_pads(k: Integrator, c: Stencils, phase: int, u: Array, v: Array, r: Array, lanes: Lanes) -> None:
     """Dampers of the pads at a phase."""
     n = c.pad_weights[phase]
-    for first in range(NODE * c.pad_element[phase], r.shape[0], NODE * c.elements_per_pad):
+    for first in range(NODE * c.pad_element[phase], c.unknowns, NODE * c.elements_per_pad):
         stretch = fma(n[0], _stretch(k, u, v, first, lanes), scale(n[1], _stretch(k, u, v, first + 1, lanes)))
         targets = 2  # the node after the last is clamped and left out
-        if first + NODE < r.shape[0]:
+        if first + NODE < c.unknowns:
             stretch = fma(n[2], _stretch(k, u, v, first + 6, lanes), stretch)
             stretch = fma(n[3], _stretch(k, u, v, first + 7, lanes), stretch)
             targets = 4
@@ -194,33 +253,7 @@ def _add_pads(k: Integrator, c: Stencils, phase: int, u: Array, v: Array, r: Arr
 
 
 @compiled
-def _rate(k: Integrator, x: Array, u: Array, row: int, lanes: Lanes) -> Vector:
-    """What a step's acceleration adds to the velocity predicted for its end."""
-    return scale(k.velocity * k.acceleration, subtract(load(x, row, lanes), load(u, row, lanes)))
-
-
-@compiled
-def absorb(k: Integrator, c: Stencils, x: Array, u: Array, v: Array, lanes: Lanes) -> None:
-    """Take away the part of the velocity at the end of a step that the track's ends absorb.
-
-    Parameters
-    ----------
-    x : ndarray, shape (unknowns, lanes)
-        Displacements at the end of the step.
-    u, v : ndarray, shape (unknowns, lanes)
-        Predictors of displacement and velocity; the latter is updated.
-    """
-    for node in c.absorbing_nodes:
-        left, slope = c.absorption[node, 0], c.absorption[node, 1]
-        for row in range(NODE * node, NODE * node + NODE, 2):
-            rate0, rate1 = _rate(k, x, u, row, lanes), _rate(k, x, u, row + 1, lanes)
-            velocity0, velocity1 = add(load(v, row, lanes), rate0), add(load(v, row + 1, lanes), rate1)
-            store(v, row, subtract(scale(left, velocity0), rate0))
-            store(v, row + 1, subtract(fma(left, velocity1, scale(slope, velocity0)), rate1))
-
-
-@compiled
 def add_window(x: Array, window: Array, start: int, force: Vector, lanes: Lanes) -> None:
-    """Add a wheel's window, times its force in every lane, to the displacements."""
+    """Add a window, times a force in every lane, to the displacements."""
     for i in range(window.shape[0]):
-        store(x, start + i, fma(window[i], force, load(x, start + i, lanes)))
+        store(x, start + i, fma(window[i], force, load(x, start + i, lanes)), lanes)

@@ -20,8 +20,9 @@ from solver.joint_kernels import (
     respond_to_wheels,
     solve_joints,
 )
-from solver.kernels import Lanes, Stencils, absorb, add_window, advance
+from solver.kernels import Lanes, Stencils, add_window, advance
 from solver.record import Sensors, record_joints, record_pads, record_track
+from solver.segments import Segments, substitute_segments
 from solver.simd import load
 from solver.state import SIZE, Operator, State, Vehicles
 
@@ -89,11 +90,22 @@ def _rail_without_forces(op: Operator, state: State, rail: Array) -> None:
 
 @compiled
 def _solve_track(
-    op: Operator, c: Joints, state: State, joints: JointState, step: int, rail: Array, compliance: Array, lanes: Lanes
+    op: Operator,
+    c: Joints,
+    state: State,
+    joints: JointState,
+    step: int,
+    rail: Array,
+    compliance: Array,
+    lanes: Lanes,
+    segments: Segments | None,
 ) -> None:
     """Track and joints without the wheels' forces, and what a force at one wheel does to the rail at another."""
     phase = step % op.block_of_cell.shape[0]
-    substitute(op.blocks, op.block_of_cell[phase], state.x, lanes)
+    if segments is None:
+        substitute(op.blocks, op.block_of_cell[phase], state.x, lanes)
+    else:
+        substitute_segments(op.blocks, op.block_of_cell[phase], state.x, segments)
     _rail_without_forces(op, state, rail)
     for i in range(WHEELS):
         for j in range(WHEELS):  # an array assignment would compile its error messages too
@@ -111,14 +123,24 @@ def _solve_track(
 
 @compiled
 def _advance_all(
-    k: Integrator, c: Stencils, joints: Joints, state: State, joint_state: JointState, step: int, lanes: Lanes
+    k: Integrator,
+    c: Stencils,
+    joints: Joints,
+    state: State,
+    joint_state: JointState,
+    step: int,
+    lanes: Lanes,
+    segments: Segments | None,
 ) -> None:
     """The state at the end of the step before to the right-hand side of a step."""
-    absorb(k, c, state.x, state.u, state.v, lanes)
     if joints.joints > 0:
         hand_over(joints, joint_state, step)
-        probe_track(k, joints, joint_state, step, state.x, state.u, state.v, lanes)
-    advance(k, c, step % c.pad_element.shape[0], state.x, state.u, state.v, state.x, lanes)
+        probe_track(k, c, joints, joint_state, step, state.x, state.u, state.v, lanes)
+    phase = step % c.pad_element.shape[0]
+    if segments is None:
+        advance(k, c, phase, state.x, state.u, state.v, lanes, lanes)
+    else:
+        advance(k, c, phase, state.x, state.u, state.v, lanes, segments.nodes)
     if joints.joints > 0:
         load_track(k, joints, joint_state, step, state.x, lanes)
 
@@ -137,6 +159,7 @@ def march(
     first: int,
     out: Array,
     lanes: Lanes,
+    segments: Segments | None,
 ) -> None:
     """Take as many steps as ``eta`` and ``out`` are long.
 
@@ -154,6 +177,8 @@ def march(
         Channels at the end of each step, SI.
     lanes : tuple of float
         As many as there are lanes.
+    segments : Segments, optional
+        Of one lane, for the passes along the whole track.
     """
     accelerations = np.empty(SIZE)
     rail = np.empty((WHEELS, eta.shape[2]))
@@ -163,8 +188,8 @@ def march(
     phases = op.block_of_cell.shape[0]
     for s in range(eta.shape[0]):
         step = first + s
-        _advance_all(k, c, joints, state, joint_state, step, lanes)
-        _solve_track(op, joints, state, joint_state, step, rail, compliance, lanes)
+        _advance_all(k, c, joints, state, joint_state, step, lanes, segments)
+        _solve_track(op, joints, state, joint_state, step, rail, compliance, lanes, segments)
         for lane in range(eta.shape[2]):
             _couple_vehicle(k, op, vehicles, state, rail, compliance, eta[s, :, lane], lane, accelerations)
             for i in range(len(BODY_ROWS)):

@@ -184,7 +184,7 @@ def _pad_forces(k: Integrator, c: Sensors, state: State, phase: int, pads: Array
             per_stretch = c.pad_stiffness * n[0, i] - c.pad_damping * c.speed * n[1, i]
             force = fma(per_stretch, subtract(rail, slab), force)
             force = fma(c.pad_damping * n[0, i], subtract(rail_rate, slab_rate), force)
-        store(pads, pad, force)
+        store(pads, pad, force, lanes)
 
 
 @compiled
@@ -214,7 +214,7 @@ def record_pads(
                     rate = fma(-k.kick, load(joint_state.a, row + j, lanes), load(joint_state.v, row + j, lanes))
                     opened = fma(c.pad_damping, rate, scale(c.pad_stiffness, load(joint_state.x, row + j, lanes)))
                     force = fma(-c.joint_shape[i, j], opened, force)
-                store(pads, pad, force)
+                store(pads, pad, force, lanes)
     for lane in range(pads.shape[1]):
         out[lane, PADS] = out[lane, PADS + 1] = 0.0
         for pad in range(c.pads):

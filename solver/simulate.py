@@ -1,13 +1,13 @@
 """The one door of the solver: cases in, responses out."""
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from solver.arrays import Array
-from solver.block import MAX_LANES, Block
+from solver.block import Block, lane_width
 from solver.case import Case
 from solver.channels import CHANNELS, JOINTS, Channel
 from solver.errors import DivergedError, SolverError
@@ -61,7 +61,7 @@ def solve(cases: Sequence[Case], on_progress: Progress | None = None) -> list[Re
     groups: dict[str, list[int]] = defaultdict(list)
     for index, case in enumerate(cases):
         groups[case.operator_key()].append(index)
-    blocks = [group[i : i + MAX_LANES] for group in groups.values() for i in range(0, len(group), MAX_LANES)]
+    blocks = [block for group in groups.values() for block in _blocks(group)]
     outcomes: dict[int, Response | SolverError] = {}
     for number, indices in enumerate(blocks):
 
@@ -74,10 +74,18 @@ def solve(cases: Sequence[Case], on_progress: Progress | None = None) -> list[Re
     return [outcomes[index] for index in range(len(cases))]
 
 
+def _blocks(group: list[int]) -> Iterator[list[int]]:
+    """Parts of a group that are marched one after the other."""
+    while group:
+        lanes = lane_width(len(group))
+        yield group[:lanes]
+        group = group[lanes:]
+
+
 def _attempt(cases: Sequence[Case], report: Progress) -> list[Response | SolverError]:
     """Solve the cases of a block, or say why it cannot be built."""
     try:
-        block = Block(cases)
+        block = Block(cases, lane_width(len(cases)))
     except SolverError as error:
         return [error] * len(cases)
     return _run(block, len(cases), report)

@@ -28,7 +28,7 @@ class Vehicles(NamedTuple):
     solution: Array  # (lanes, 10, 10) inverse of the step's matrix
     mass: Array  # (lanes, 10)
     damping: Array  # (lanes, 10, 10)
-    weight: Array  # (lanes, 10)
+    weight: Array  # (lanes, 10) but for what the springs bear at rest
     hertz: Array  # (lanes,)
 
 
@@ -38,7 +38,7 @@ class State(NamedTuple):
     x: Array  # (unknowns, lanes) displacements
     u: Array  # (unknowns, lanes) displacements as predicted for the end of the step
     v: Array  # (unknowns, lanes) velocities likewise
-    vehicle_u: Array  # (lanes, 10)
+    vehicle_u: Array  # (lanes, 10), of car body and bogies from where they hang at rest
     vehicle_v: Array  # (lanes, 10)
     vehicle_a: Array  # (lanes, 10)
     point_a: Array  # (12, lanes) accelerations of the two nodes around the first wheel

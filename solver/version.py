@@ -1,3 +1,3 @@
 """The version of the numbers: it changes when, and only when, a stored peak would change."""
 
-SOLVER_VERSION = "2"
+SOLVER_VERSION = "3"

@@ -4,10 +4,11 @@ import threading
 from functools import cache
 from typing import Any
 
-from celery.signals import worker_ready, worker_shutting_down
+from celery.signals import worker_init, worker_ready, worker_shutting_down
 
 from app import log
 from app.queue import WORK
+from solver.warm import warm
 from worker.celery import SETTINGS, app
 from worker.compute import Worker
 from worker.sweeper import Sweeper
@@ -25,6 +26,11 @@ def this_worker() -> Worker:
 def work() -> None:
     """Compute whatever is queued."""
     this_worker().drain()
+
+
+@worker_init.connect  # type: ignore[untyped-decorator]  # as above
+def _prepare(**_: Any) -> None:
+    warm()  # before this worker says that it is there: no case waits for a compiler
 
 
 @worker_ready.connect  # type: ignore[untyped-decorator]  # as above

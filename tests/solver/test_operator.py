@@ -1,5 +1,7 @@
 """The compiled passes and the periodic factors against sparse matrices of the whole track."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy import sparse
@@ -8,8 +10,9 @@ from scipy.sparse.linalg import spsolve
 from solver.banded import factorise, substitute
 from solver.case import Numerics
 from solver.integrator import integrator
-from solver.kernels import absorb, advance, stencils
+from solver.kernels import advance, stencils
 from solver.periodic import periodic_operator
+from solver.segments import padded, segments, substitute_segments
 from solver.track import RAIL, TrackModel
 from solver.vehicle import wheel_positions
 
@@ -22,6 +25,14 @@ def sparse_from(band: np.ndarray) -> sparse.csc_array:
     return sparse.diags_array(diagonals, offsets=range(-9, 10)).tocsc()
 
 
+def random_band(rng: np.random.Generator, n: int) -> np.ndarray:
+    """Unknowns couple to those of the same node and of the two neighbouring ones, and not further than nine rows."""
+    i, j = np.arange(n)[:, None], np.arange(n)[:, None] + np.arange(-9, 10)
+    band = np.where(abs(i // 6 - j // 6) <= 1, rng.standard_normal((n, 19)), 0.0)
+    band[:, 9] += 12
+    return band
+
+
 def matrix(model: TrackModel, phase: int, inertia: float, damping: float) -> sparse.csc_array:
     return sparse_from(model.band(model.cells, phase, inertia, damping))
 
@@ -30,8 +41,7 @@ def matrix(model: TrackModel, phase: int, inertia: float, damping: float) -> spa
 def test_banded_solution(width):
     rng = np.random.default_rng(width)
     rows, cells = 18, 5
-    band = rng.standard_normal((rows * cells, 19))
-    band[:, 9] += 12
+    band = random_band(rng, rows * cells)
     full = sparse_from(band)
     factors = factorise(band.copy()).reshape(cells, rows, 19)
     right = rng.standard_normal((rows * cells, width))
@@ -42,8 +52,7 @@ def test_banded_solution(width):
 
 def test_a_lane_does_not_know_its_neighbours():
     rng = np.random.default_rng(0)
-    band = rng.standard_normal((90, 19))
-    band[:, 9] += 12
+    band = random_band(rng, 90)
     factors = factorise(band).reshape(5, 18, 19)
     right = rng.standard_normal((90, 8))
     together = right.copy()
@@ -79,47 +88,65 @@ def test_periodic_factors_windows_and_compliances_are_those_of_the_whole_matrix(
             assert operator.compliance[phase, i, j] == pytest.approx(under_wheel, rel=1e-9, abs=1e-22)
 
 
-@pytest.mark.parametrize("width", WIDTHS)
+def absorbed(model, k, velocity):
+    """What the ends leave of a velocity (unknowns, lanes): the field times what a step leaves at each place."""
+    left, slope = (part[:, None, None] for part in model.absorption(k.step).T)
+    value, turn = velocity.reshape(len(left), 3, 2, -1).transpose(2, 0, 1, 3)
+    return np.stack([left * value, left * turn + slope * value], axis=2).reshape(velocity.shape)
+
+
+@pytest.mark.parametrize("width", [*WIDTHS, "segments"])
 def test_advance_is_the_integrator_on_the_whole_matrices(make_case, width):
-    case = make_case()
+    case = make_case(numerics=Numerics(track_length=91.0))  # 140 cells: nodes are no multiple of eight
     model, k = TrackModel(case), integrator(case.time_step, 0.8)
     phase, big = 5, 1e13  # large factors keep M and C from drowning in K
     stiffness = matrix(model, phase, 0, 0)
     mass = (matrix(model, phase, big, 0) - stiffness) / big
     damping = (matrix(model, phase, 0, big) - stiffness) / big
-    rng = np.random.default_rng(width)
-    x, u, v = rng.standard_normal((3, stiffness.shape[0], width))
-    u = x + 1e-9 * u
-    x[:6] = u[:6] = v[:6] = 0
-    acceleration = k.acceleration * (x - u)
-    velocity = v + k.velocity * acceleration
-    pu, pv = x + k.step * velocity + k.drift * acceleration, velocity + k.kick * acceleration
+    unknowns, lanes = stiffness.shape[0], (0.0,) * (1 if width == "segments" else width)
+    along = (padded(unknowns) // 8,) * 8 if width == "segments" else lanes
+    rng = np.random.default_rng(0)
+    state = np.zeros((3, padded(unknowns) if width == "segments" else unknowns, len(lanes)))
+    x, u, v = state
+    state[:, 6:unknowns] = rng.standard_normal((3, unknowns - 6, len(lanes)))
+    u[:] = x + 1e-9 * u
+    acceleration = k.acceleration * (x - u)[:unknowns]
+    velocity = absorbed(model, k, v[:unknowns] + k.velocity * acceleration)
+    pu, pv = x[:unknowns] + k.step * velocity + k.drift * acceleration, velocity + k.kick * acceleration
     expected = mass @ (k.inertia * pu - k.alpha * acceleration) + damping @ (k.damping * pu - pv)
     expected[:6] = 0
-    advance(k, stencils(model, k.step), phase, x, u, v, x, (0.0,) * width)
-    np.testing.assert_allclose(u, pu, atol=1e-13)
-    np.testing.assert_allclose(v, pv, atol=1e-12)
-    np.testing.assert_allclose(x, expected, atol=1e-12 * np.abs(expected).max())
+    advance(k, stencils(model, k), phase, x, u, v, lanes, along)
+    np.testing.assert_allclose(u[:unknowns], pu, atol=1e-13)
+    np.testing.assert_allclose(v[:unknowns], pv, atol=1e-12)
+    np.testing.assert_allclose(x[:unknowns], expected, atol=1e-12 * np.abs(expected).max())
+    assert not state[:, unknowns:].any()
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-def test_ends_take_away_velocity_as_a_field(make_case, width):
-    """Nodal slopes follow: what is left of a velocity is the field times what a step leaves at each place."""
-    case = make_case()
-    model, k = TrackModel(case), integrator(case.time_step, 0.8)
-    node = np.arange(model.cells * case.numerics.elements_per_pad)
-    left, slope = model.absorption(k.step).T
-    length = model.element.length
-    np.testing.assert_allclose(slope[1:-1], (left[2:] - left[:-2]) / (2 * length), atol=2e-4)
+def test_what_the_ends_leave_of_a_velocity_has_the_right_slope(make_case):
+    model = TrackModel(make_case())
+    left, slope = model.absorption(1e-4).T
+    np.testing.assert_allclose(slope[1:-1], (left[2:] - left[:-2]) / (2 * model.element.length), atol=2e-4)
     assert left[0] < 0.9
     assert left[-1] < 0.9
-    assert (left[len(node) // 3 : 2 * len(node) // 3] == 1).all()
-    x, u, v = np.random.default_rng(width).standard_normal((3, 6 * len(node), width))
-    u = x + 1e-9 * u
-    velocity = v + k.velocity * k.acceleration * (x - u)
-    absorb(k, stencils(model, k.step), x, u, v, (0.0,) * width)
-    after = (v + k.velocity * k.acceleration * (x - u)).reshape(len(node), 3, 2, width)
-    before = velocity.reshape(after.shape)
-    np.testing.assert_allclose(after[:, :, 0], left[:, None, None] * before[:, :, 0], atol=1e-12)
-    expected = left[:, None, None] * before[:, :, 1] + slope[:, None, None] * before[:, :, 0]
-    np.testing.assert_allclose(after[:, :, 1], expected, atol=1e-12)
+    assert (left[len(left) // 3 : 2 * len(left) // 3] == 1).all()
+
+
+@pytest.mark.parametrize("length", [100.0, 140.0])
+@pytest.mark.parametrize("phase", [0, 33])
+def test_segments_of_a_track_solve_as_the_whole(make_case, length, phase):
+    model = TrackModel(make_case(numerics=Numerics(track_length=length)))
+    operator = periodic_operator(model, integrator(1e-4, 0.8), wheel_positions(model.case.vehicle))
+    cut = segments(operator)
+    right = np.random.default_rng(phase).standard_normal((6 * model.cells * 12, 1))
+    right[:6] = 0
+    whole, parts = right.copy(), right.copy()
+    substitute(operator.blocks, operator.block_of_cell[phase], whole, (0.0,))
+    substitute_segments(operator.blocks, operator.block_of_cell[phase], parts, cut)
+    for kind in (0, 1):  # displacements and slopes
+        np.testing.assert_allclose(parts[kind::2], whole[kind::2], atol=1e-12 * np.abs(whole[kind::2]).max())
+
+
+def test_a_track_too_short_for_segments_stays_whole(make_case):
+    operator = periodic_operator(TrackModel(make_case()), integrator(1e-4, 0.8), np.array([0.0]))
+    short = replace(operator, block_of_cell=operator.block_of_cell[:, :30])
+    assert segments(short) is None

@@ -33,18 +33,30 @@ def test_twice_the_track_changes_no_peak_by_more_than_a_thousandth(make_case, ir
         assert short.peak == pytest.approx(long.peak, rel=1e-3), short
 
 
-def test_lanes_are_solved_as_if_alone_whatever_their_neighbours(make_case, conical_vehicle):
-    cases = [
+def test_a_lane_does_not_know_its_neighbours(make_case, conical_vehicle):
+    one, two, three, four = (
         make_case(),
         make_case(irregularity=TB),
-        make_case(speed=300 / 3.6),
         make_case(vehicle=conical_vehicle),
         make_case(irregularity=Smooth()),
-    ]
-    together = solve(cases)
-    assert [r.case for r in together] == cases
-    for case, response in zip(cases, together, strict=True):
-        np.testing.assert_array_equal(solve([case])[0].values, response.values)
+    )
+    elsewhere = make_case(speed=300 / 3.6)
+    together = solve([one, two, elsewhere, three])
+    assert [response.case for response in together] == [one, two, elsewhere, three]
+    others = solve([three, four, one])
+    np.testing.assert_array_equal(together[0].values, others[2].values)
+    np.testing.assert_array_equal(together[3].values, others[0].values)
+
+
+@pytest.mark.parametrize("slab", ["continuous", "discontinuous"])
+def test_segments_of_one_track_say_what_a_lane_says(make_case, slab):
+    case = make_case(slab=slab, irregularity=TB)
+    alone = solve([case])[0]
+    lane = solve([case, make_case(slab=slab), make_case(slab=slab, irregularity=Smooth())])[0]
+    largest = np.abs(lane.values).max(axis=1, keepdims=True)
+    np.testing.assert_allclose(alone.values / largest, lane.values / largest, atol=1e-9)
+    for peak_alone, peak_in_lane in zip(peaks(alone), peaks(lane), strict=True):
+        assert peak_alone.peak == pytest.approx(peak_in_lane.peak, rel=1e-9, abs=1e-12)
 
 
 def test_a_diverging_lane_fails_alone(make_case):
@@ -52,8 +64,10 @@ def test_a_diverging_lane_fails_alone(make_case):
     sane = make_case(track=soft)
     heavy = replace(sane.vehicle, car_body_mass=1e6, bogie_mass=1e5, wheelset_mass=1e5)
     wild = make_case(track=soft, irregularity=Harmonic(wavelength=3.0, amplitude=0.02), vehicle=heavy)
-    good, bad = solve([sane, wild])
-    np.testing.assert_array_equal(good.values, solve([sane])[0].values)
+    good, bad, _ = solve([sane, wild, sane])
+    np.testing.assert_array_equal(good.values, solve([sane, sane, sane])[0].values)
+    assert isinstance(bad, DivergedError)
+    bad = solve([wild])[0]
     assert isinstance(bad, DivergedError)
     assert bad.code == "diverged"
 
