@@ -7,7 +7,6 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +18,7 @@ from app.cases.schemas import CaseFile
 from app.db.models import Case, Peak, Study, StudyCase
 from app.db.session import Database
 from app.peaks import repository
-from app.peaks.schemas import COLUMNS, PeakQuery
+from app.peaks.schemas import PeakQuery
 from tests.conftest import Postgres
 
 WHEELSETS = [f"wheelset_{n}" for n in range(1, 5)]
@@ -44,6 +43,10 @@ QUANTITIES = {  # typical size, positions
 PEAKS_PER_CASE = sum(len(positions) for _, positions in QUANTITIES.values())
 SPEEDS_KMH = [160.0 + 10 * n for n in range(20)]
 BATCH = 500  # cases per statement
+SLOW_S = 0.3
+ORDERS = [
+    sign + column for column in ("peak", "std", "speed_kmh", "percentile", "case_id", "seed") for sign in ("", "-")
+]
 STUDIES = {"0" * 32: 240, "1" * 32: 10_000}  # cases of each
 
 FORCE = {"quantity": "wheel_rail_force"}
@@ -144,9 +147,9 @@ def databases(rows: int) -> Iterator[dict[str, Database]]:
 
 
 def first_page_ms(database: Database, query: PeakQuery) -> float:
-    """Best of three."""
-    times = []
-    for _ in range(3):
+    """Best of three, unless it is slow."""
+    times: list[float] = []
+    while len(times) < 3 and max(times, default=0.0) < SLOW_S:
         began = time.perf_counter()
         with database.read() as session:
             repository.find_page(session, query, 500)
@@ -159,13 +162,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rows", type=int, default=1_000_000)
     arguments = parser.parse_args()
-    orders = [sign + column for column, sign in product(COLUMNS, ("", "-"))]
     with databases(arguments.rows) as opened:
         for name, database in opened.items():
             print(f"\n{name}: first page of 100, ms")
             print(f"{'-peak':>8}{'median':>8}{'slowest':>8}  order of the slowest, filters")
             for filters in FILTERS:
-                times = {order: first_page_ms(database, PeakQuery(sort=order, **filters)) for order in orders}
+                times = {order: first_page_ms(database, PeakQuery(sort=order, **filters)) for order in ORDERS}
                 slowest = max(times, key=lambda order: times[order])
                 columns = times["-peak"], statistics.median(times.values()), times[slowest]
                 print("".join(f"{ms:8.1f}" for ms in columns), f" {slowest}, {filters}", flush=True)

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
+from app.cases.views import Word
 from app.db.models import STATISTICS
-from app.peaks.schemas import Word
 
 if TYPE_CHECKING:
     Statistic: TypeAlias = str

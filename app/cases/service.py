@@ -4,12 +4,12 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.cases.schemas import case_file
-from app.cases.views import CaseDetail, CasePage, CaseQuery, CaseSummary, StoredHistory
+from app.cases.views import CASE_ORDERS, CaseDetail, CasePage, CaseQuery, CaseSummary, StoredHistory
 from app.db.models import Case, History, Study, StudyCase
 from app.pagination import Order, fetch_page
 from app.problems import not_found
 
-ORDERS = {"position": StudyCase.position, "speed_kmh": Case.speed_kmh, "state": Case.state}
+ORDERS = {name: getattr(StudyCase if name == "position" else Case, name) for name in CASE_ORDERS}
 
 
 def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: int) -> CasePage:
@@ -23,8 +23,13 @@ def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: 
     if session.get(Study, study_id) is None:
         raise not_found("study")
     statement = select(Case).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
-    if query.state is not None:
-        statement = statement.where(Case.state == query.state)
+    for name in ("state", "slab", "irregularity", "percentile"):
+        if (value := getattr(query, name)) is not None:
+            statement = statement.where(getattr(Case, name) == value)
+    if query.speed_kmh_min is not None:
+        statement = statement.where(Case.speed_kmh >= query.speed_kmh_min)
+    if query.speed_kmh_max is not None:
+        statement = statement.where(Case.speed_kmh <= query.speed_kmh_max)
     order = Order((ORDERS[query.sort.removeprefix("-")], Case.id), descending=query.sort.startswith("-"))
     rows, cursor = fetch_page(session, statement, query, order, max_page_size)
     return CasePage(items=[CaseSummary.model_validate(row.Case) for row in rows], next_cursor=cursor)

@@ -1,12 +1,19 @@
 """Cases as clients see them."""
 
 from datetime import datetime
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 from app.db.models import CaseState
 from app.pagination import PageQuery
+
+Word = Annotated[str, StringConstraints(max_length=100, pattern=r"^[\x21-\x7e]*$")]
+CASE_ORDERS = ("position", "speed_kmh", "slab", "percentile", "state", "cpu_s", "finished_at")
+if TYPE_CHECKING:
+    CaseSort: TypeAlias = str
+else:
+    CaseSort = Literal[tuple(sign + column for column in CASE_ORDERS for sign in ("", "-"))]
 
 
 class Conditions(BaseModel):
@@ -87,4 +94,11 @@ class CaseQuery(PageQuery):
     """Which cases of a study to list."""
 
     state: CaseState | None = None
-    sort: Literal["position", "-position", "speed_kmh", "-speed_kmh", "state", "-state"] = "position"
+    slab: Word | None = None
+    irregularity: Word | None = None
+    percentile: float | None = None
+    speed_kmh_min: float | None = None
+    speed_kmh_max: float | None = None
+    sort: CaseSort = Field(
+        default="position", description="A column, or the place in the sweep; with a minus sign, from large to small."
+    )

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from app.peaks.schemas import Word
+from app.cases.views import Word
 
 Words = Annotated[list[Word], Field(max_length=100)]
 

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
-from app.cases.views import Conditions
+from app.cases.views import Conditions, Word
 from app.pagination import PageQuery
 
 
@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     Sort: TypeAlias = str
 else:
     Sort = Literal[tuple(sign + column for column in COLUMNS for sign in ("", "-"))]
-Word = Annotated[str, StringConstraints(max_length=100, pattern=r"^[\x21-\x7e]*$")]
 
 
 class PeakFilters(BaseModel):

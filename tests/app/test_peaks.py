@@ -12,6 +12,7 @@ import pyarrow.parquet as pq
 import pytest
 from sqlalchemy.exc import OperationalError
 
+from app.cases.views import CASE_ORDERS
 from app.db.session import Database
 from app.peaks import export
 from app.peaks.schemas import COLUMNS, PeakFilters
@@ -89,6 +90,24 @@ def test_peaks_of_one_study(client: httpx.Client, peaks: list[dict[str, Any]]) -
     for study in client.get("/v1/studies").json()["items"]:
         cases = {case["id"] for case in client.get(f"/v1/studies/{study['id']}/cases").json()["items"]}
         assert walk(client, study_id=study["id"]) == [each for each in peaks if each["case_id"] in cases]
+
+
+def test_cases_are_chosen_and_sorted_alike(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:
+    study = client.get("/v1/studies", params={"sort": "-created_at"}).json()["items"][0]["id"]
+
+    def cases(**query: str) -> list[dict[str, Any]]:
+        items: list[dict[str, Any]] = client.get(f"/v1/studies/{study}/cases", params=query).json()["items"]
+        return items
+
+    assert len(cases()) == 8
+    assert {each["percentile"] for each in cases(percentile="25")} == {25}
+    assert {each["speed_kmh"] for each in cases(speed_kmh_min="260", speed_kmh_max="300")} == {300}
+    assert (len(cases(slab="continuous")), cases(slab="wooden"), cases(irregularity="harmonic")) == (8, [], [])
+    for order in CASE_ORDERS[1:]:
+        for sign in ("", "-"):
+            values = [each[order] for each in cases(sort=sign + order)]
+            assert values == sorted(values, reverse=sign == "-")
+    assert cases(sort="-position") == cases()[::-1]
 
 
 def test_exports_hold_what_pages_hold(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:
