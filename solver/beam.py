@@ -7,12 +7,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.polynomial.legendre import leggauss
+from numpy.polynomial.polynomial import polyder
 
 from solver.arrays import Array
 
 # Shape functions on 0 <= xi <= 1; those of the slopes still to be multiplied by l.
-_SHAPES = [Polynomial(c) for c in ([1, 0, -3, 2], [0, 1, -2, 1], [0, 0, 3, -2], [0, 0, -1, 1])]
+_SHAPES = np.array([[1.0, 0, -3, 2], [0, 1, -2, 1], [0, 0, 3, -2], [0, 0, -1, 1]]).T  # powers, functions
+_DERIVATIVES = [polyder(_SHAPES, order) for order in range(4)]
+_POINTS, _WEIGHTS = leggauss(4)  # exact to degree 7, the products have 6
 
 
 def hermite(xi: float | Array, length: float, derivative: int = 0) -> Array:
@@ -32,7 +35,12 @@ def hermite(xi: float | Array, length: float, derivative: int = 0) -> Array:
     ndarray, shape (..., 4)
     """
     scale = np.array([1.0, length, 1.0, length]) / length**derivative
-    return np.stack([np.asarray(n.deriv(derivative)(xi), float) for n in _SHAPES], axis=-1) * scale
+    return polynomials(_DERIVATIVES[derivative], xi) * scale
+
+
+def polynomials(coefficients: Array, x: float | Array) -> Array:
+    """Values (..., functions) of polynomials with coefficients (powers, functions)."""
+    return np.asarray(x, float)[..., None] ** np.arange(len(coefficients)) @ coefficients
 
 
 @dataclass(frozen=True)
@@ -42,10 +50,9 @@ class HermiteElement:
     length: float
 
     def _integral(self, left: int, right: int) -> Array:
-        points, weights = np.polynomial.legendre.leggauss(4)  # exact to degree 7, the products have 6
-        xi = (points + 1) / 2
+        xi = (_POINTS + 1) / 2
         n, m = hermite(xi, self.length, left), hermite(xi, self.length, right)
-        return np.einsum("g,gi,gj->ij", weights * self.length / 2, n, m)
+        return np.einsum("g,gi,gj->ij", _WEIGHTS * self.length / 2, n, m)
 
     @cached_property
     def mass(self) -> Array:

@@ -20,10 +20,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.polynomial.legendre import leggauss
+from numpy.polynomial.polynomial import polyder
 
 from solver.arrays import Array
 from solver.banded import substitute
+from solver.beam import polynomials
 from solver.case import CLEARANCE
 from solver.errors import UnresolvedError
 from solver.integrator import Integrator
@@ -31,8 +33,10 @@ from solver.joint_kernels import LOCKED_CELLS, Joints, JointState
 from solver.periodic import reach
 from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
 
-_FADE = 1 - Polynomial([0, 0, 0, 0, 35, -84, 70, -20])
-_XI = Polynomial([0, 1])
+_FADE = [1.0, 0, 0, 0, -35, 84, -70, 20]
+_SHAPES = np.array([[*_FADE, 0.0], [0.0, *_FADE]]).T  # powers, functions; that of the turn still to be multiplied by d
+_DERIVATIVES = [polyder(_SHAPES, order) for order in range(4)]
+_POINTS, _WEIGHTS = leggauss(9)  # exact to degree 17, the products have 16
 WINDOW_TOLERANCE = 1e-10  # of a joint's window: the jumps are small, and windows are most of what joints cost
 
 
@@ -55,8 +59,8 @@ def enrichment(s: Array, length: float, derivative: int = 0) -> Array:
     """
     xi = np.asarray(s, float) / length
     inside = ((xi >= 0) & (xi < 1))[..., None]
-    both = [_FADE.deriv(derivative)(xi), (_XI * _FADE).deriv(derivative)(xi) * length]
-    return np.where(inside, np.stack(both, axis=-1) / length**derivative, 0.0)
+    both = polynomials(_DERIVATIVES[derivative], xi)
+    return np.where(inside, both * (np.array([1.0, length]) / length**derivative), 0.0)
 
 
 @dataclass
@@ -132,8 +136,7 @@ class JointModel:
         low, high = max(element - xi, 0.0) * length, min((element + 1 - xi) * length, self.length)
         if high <= low:
             return
-        points, weights = np.polynomial.legendre.leggauss(9)  # exact to degree 17, the products have 16
-        s, weights = (low + high) / 2 + (high - low) / 2 * points, weights * (high - low) / 2
+        s, weights = (low + high) / 2 + (high - low) / 2 * _POINTS, _WEIGHTS * (high - low) / 2
         e0, e2 = (enrichment(s, self.length, k) for k in (0, 2))
         n0, n1, n2 = (self.model.shape(s / length + xi - element, k) for k in (0, 1, 2))
 
