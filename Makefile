@@ -27,7 +27,7 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test test-slow lint format verify bench bench-programme bench-rolland serve clean
+.PHONY: help install demo test test-slow lint format client generated verify bench bench-programme bench-rolland serve clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' Makefile
@@ -52,6 +52,18 @@ lint: $(INSTALLED)  ## ruff, mypy and the import contracts
 format: $(INSTALLED)  ## let ruff format and fix what it can
 	@$(RUN) ruff format
 	@$(RUN) ruff check --fix
+
+client: $(INSTALLED)  ## write openapi.json, generate the client from it, and build its wheel in dist/
+	@.venv/bin/tracksweep openapi > openapi.json.new && mv openapi.json.new openapi.json
+	@$(MAKE) --no-print-directory generated
+	@cd client && ../.venv/bin/python -m hatchling build -t wheel -d ../dist
+
+GENERATED := client/tracksweep_client/generated
+
+generated: $(INSTALLED)
+	@rm -rf $(GENERATED)
+	@PATH="$(CURDIR)/.venv/bin:$$PATH" openapi-python-client generate --path openapi.json --config client/generator.yaml \
+		--meta none --output-path $(GENERATED) --fail-on-warning
 
 verify: $(INSTALLED)  ## check the physics and write docs/verification.md
 	@.venv/bin/tracksweep verify

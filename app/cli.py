@@ -56,6 +56,16 @@ def api(
     uvicorn.Server(config).run(sockets=[listener])
 
 
+@service.command()
+def openapi() -> None:
+    """Print the OpenAPI document of the service."""
+    import json
+
+    from app.main import create_app
+
+    print(json.dumps(create_app(load_settings()).openapi(), indent=2))
+
+
 def load_settings(**given: Any) -> "Settings":
     """Settings from the environment, replaced by the options that were given; wrong ones end the program."""
     from pydantic import ValidationError

@@ -6,6 +6,7 @@ from contextlib import asynccontextmanager
 from importlib.metadata import version
 
 from fastapi import APIRouter, FastAPI
+from fastapi_offline import FastAPIOffline
 from sqlalchemy import select
 
 from app import log, openapi, problems
@@ -65,7 +66,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         yield
         context.database.close()
 
-    app = FastAPI(
+    app = FastAPIOffline(  # the pages at /docs and /redoc need nothing from elsewhere
         title="TrackSweep",
         version=version("tracksweep"),
         description="Parametric studies of a high-speed train on ballastless slab track.",

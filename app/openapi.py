@@ -1,5 +1,6 @@
 """The OpenAPI document: FastAPI's, with errors as they really are."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from fastapi import FastAPI
@@ -25,6 +26,7 @@ def document(app: FastAPI) -> dict[str, Any]:
         for path, operations in schema["paths"].items():
             for operation in operations.values():
                 _document_problems(path, operation)
+                _without_null(operation.get("parameters", ()))
         app.openapi_schema = schema
     return app.openapi_schema
 
@@ -39,3 +41,11 @@ def _document_problems(path: str, operation: dict[str, Any]) -> None:
         status: {"description": reason, "content": content} for status, reason in problems.items()
     }
     operation["responses"] = dict(sorted(responses.items()))
+
+
+def _without_null(parameters: Iterable[dict[str, Any]]) -> None:
+    """What FastAPI documents as `null` is left out: neither a query nor a header can say it."""
+    for parameter in parameters:
+        schema = parameter["schema"]
+        given = [each for each in schema.pop("anyOf", ()) if each != {"type": "null"}]
+        schema |= given[0] if len(given) == 1 else {"anyOf": given} if given else {}

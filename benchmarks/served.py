@@ -9,14 +9,11 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-import httpx
-
-from app.remote.client import Service
 from examples.demo import START_TIMEOUT_S, url_of
+from tracksweep_client import Service
 
 
 @contextmanager
@@ -65,22 +62,21 @@ class Run:
 def submit(url: str, study: dict[str, Any]) -> str:
     """Post a study; its id."""
     with Service(url) as service:
-        return str(service.submit(study)["id"])
+        return service.submit(study).id
 
 
 def finish(url: str, study_id: str) -> Run:
     """Wait for a study to end."""
     with Service(url) as service:
-        *_, ended = service.watch(study_id)
-    if ended["state"] != "succeeded":
-        raise SystemExit(f"the study “{ended['name']}” ended as {ended['state']}: nothing to compare")
-    page = httpx.get(f"{url}/v1/studies/{study_id}/cases", params={"page_size": 500}, trust_env=False)
-    cases = page.raise_for_status().json()["items"]
-    began = min(datetime.fromisoformat(case["started_at"]) for case in cases)
-    ends = max(datetime.fromisoformat(case["finished_at"]) for case in cases)
+        ended = service.wait(study_id)
+        cases = list(service.cases(study_id))
+    if ended.state != "succeeded":
+        raise SystemExit(f"the study “{ended.name}” ended as {ended.state}: nothing to compare")
+    began = min(case.started_at for case in cases)
+    ends = max(case.finished_at for case in cases)
     return Run(
         wall_s=(ends - began).total_seconds(),
-        cpu_s=sum(case["cpu_s"] for case in cases),
+        cpu_s=sum(case.cpu_s for case in cases),
         cases=len(cases),
-        workers=len({case["worker"] for case in cases}),
+        workers=len({case.worker for case in cases}),
     )

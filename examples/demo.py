@@ -11,15 +11,13 @@ import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 from rich.table import Table
 
 from app.console import digits, out, shown_unit
-from app.remote.client import Service
-from app.remote.progress import follow
-from app.remote.tables import write_csv
 from examples.figure import draw
+from tracksweep_client import Service
+from tracksweep_client.generated.models import PeakRow
 
 STUDY = Path(__file__).parent / "speed_sweep.json"
 DEMO = Path("demo")
@@ -55,13 +53,13 @@ def served(data: Path) -> Iterator[str]:
             process.send_signal(signal.SIGINT)
 
 
-def largest_by_speed(rows: Iterable[dict[str, Any]]) -> Largest:
+def largest_by_speed(peaks: Iterable[PeakRow]) -> Largest:
     """The largest peak at any position, by quantity and unit, then by speed in km/h."""
     largest: Largest = {}
-    for row in rows:
-        unit, factor = shown_unit(row["unit"])
-        curve = largest.setdefault((row["quantity"], unit), {})
-        curve[row["speed_kmh"]] = max(curve.get(row["speed_kmh"], 0.0), factor * row["peak"])
+    for peak in peaks:
+        unit, factor = shown_unit(peak.unit)
+        curve = largest.setdefault((peak.quantity, unit), {})
+        curve[peak.speed_kmh] = max(curve.get(peak.speed_kmh, 0.0), factor * peak.peak)
     return largest
 
 
@@ -81,19 +79,19 @@ def main() -> None:
     print("Starting a service on", DATA)
     with served(DATA) as url, Service(url) as service:
         study = service.submit(json.loads(STUDY.read_text()))
-        print(f"Submitted the study “{study['name']}” to {url}")
-        if study["cases_reused"]:
-            print(f"{study['cases_reused']} of {study['cases']['total']} cases were already computed")
-        study = follow(service.watch(study["id"]))
-        if study["state"] != "succeeded":
-            raise SystemExit(f"The study ended as {study['state']}; {DATA / 'logs'} may tell why.")
-        rows = list(service.peaks(study_id=study["id"], sort="speed_kmh"))
+        print(f"Submitted the study “{study.name}” to {url}")
+        if study.cases_reused:
+            print(f"{study.cases_reused} of {study.cases.total} cases were already computed")
+        study = service.wait(study.id)
+        if study.state != "succeeded":
+            raise SystemExit(f"The study ended as {study.state}; {DATA / 'logs'} may tell why.")
+        peaks = list(service.peaks(study_id=study.id, sort="speed_kmh"))
+        service.save_peaks(DEMO / "peaks.csv", study_id=study.id, sort="speed_kmh")
 
-    largest = largest_by_speed(rows)
+    largest = largest_by_speed(peaks)
     out.print(table(largest))
-    write_csv(DEMO / "peaks.csv", rows)
-    wave = f"a wave of {rows[0]['wavelength_m']:g} m and {rows[0]['amplitude_mm']:g} mm on a continuous slab"
-    draw(largest, f"{study['name']}: largest peaks over {wave}", DEMO / "peaks_vs_speed.png")
+    wave = f"a wave of {peaks[0].wavelength_m:g} m and {peaks[0].amplitude_mm:g} mm on a continuous slab"
+    draw(largest, f"{study.name}: largest peaks over {wave}", DEMO / "peaks_vs_speed.png")
     print(f"Wrote {DEMO / 'peaks.csv'} and {DEMO / 'peaks_vs_speed.png'}")
 
 

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import attrs
 import pytest
 
 from app.cases.schemas import CaseFile
@@ -13,6 +14,7 @@ from app.console import digits
 from app.studies.schemas import StudyRequest
 from examples.demo import STUDY, largest_by_speed
 from examples.figure import PANELS, draw
+from tracksweep_client.generated.models import PeakRow
 
 ROOT = Path(__file__).parent.parent
 
@@ -28,11 +30,12 @@ def test_the_case_is_one_of_them() -> None:
 
 
 def test_the_largest_peak_at_any_position_counts() -> None:
-    rows = [
-        {"quantity": "wheel_rail_force", "unit": "N", "speed_kmh": speed, "peak": peak}
+    row = dict.fromkeys(field.name for field in attrs.fields(PeakRow) if field.init) | {"unit": "N"}
+    peaks = [
+        PeakRow(**row | {"quantity": "wheel_rail_force", "speed_kmh": speed, "peak": peak})
         for speed, peak in [(200.0, 90e3), (200.0, 95e3), (300.0, 92e3)]
     ]
-    assert largest_by_speed(rows) == {("wheel_rail_force", "kN"): {200.0: 95.0, 300.0: 92.0}}
+    assert largest_by_speed(peaks) == {("wheel_rail_force", "kN"): {200.0: 95.0, 300.0: 92.0}}
 
 
 def test_the_figure_is_drawn(tmp_path: Path) -> None:

@@ -100,8 +100,8 @@ class Quantiles(BaseModel):
     p95: float
 
 
-class Interval(BaseModel):
-    """An interval."""
+class ConfidenceInterval(BaseModel):
+    """An interval with a confidence."""
 
     lower: float
     upper: float
@@ -120,7 +120,7 @@ class Summary(BaseModel):
     minimum: float
     maximum: float
     quantiles: Quantiles
-    mean_95: Interval | None = Field(
+    mean_95: ConfidenceInterval | None = Field(
         description="Interval that holds the mean of all possible realisations with a confidence of 95 %, by "
         "Student's t. Null for less than two."
     )

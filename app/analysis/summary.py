@@ -8,7 +8,7 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from app.analysis.repository import key, load
-from app.analysis.schemas import AnalysisQuery, Interval, Quantiles, Statistics, Summary
+from app.analysis.schemas import AnalysisQuery, ConfidenceInterval, Quantiles, Statistics, Summary
 from app.analysis.student import t_limit
 
 CHANCE = ("realisation", "seed")  # in what cases may differ that are of one condition
@@ -49,7 +49,7 @@ def describe(values: list[float]) -> dict[str, Any]:
         interval = None
     else:
         reach = t_limit(CONFIDENCE, count - 1) * std / math.sqrt(count)
-        interval = Interval(lower=mean - reach, upper=mean + reach)
+        interval = ConfidenceInterval(lower=mean - reach, upper=mean + reach)
     return {
         "count": count,
         "mean": mean,

@@ -1,8 +1,6 @@
-"""Peaks of many cases as a table to read and as a file to go on with."""
+"""Peaks of many cases as a table to read."""
 
-import csv
-from collections.abc import Iterable, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 from typing import Any
 
 from rich.table import Table
@@ -28,12 +26,3 @@ def table(rows: Sequence[dict[str, Any]]) -> Table:
     """Peaks with those conditions in which they differ, and their speed."""
     shown = {key: name for key, name in CONDITIONS.items() if key == "speed_kmh" or len({row[key] for row in rows}) > 1}
     return peaks_table(rows, shown)
-
-
-def write_csv(path: Path, rows: Iterable[dict[str, Any]]) -> None:
-    """Peaks with everything that is known of them; the column ``unit`` is of ``peak``, ``maximum`` and so on."""
-    rows = list(rows)
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, fieldnames=list(rows[0]) if rows else [])
-        writer.writeheader()
-        writer.writerows(rows)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from tests.e2e.conftest import SMALL, Served, study, tracksweep
@@ -80,6 +81,28 @@ def test_submit_watch_peaks(service: Served, on: dict[str, str], tmp_path: Path)
     expected = service.get("/v1/peaks", study_id=study_id, page_size=500)["items"]
     assert [float(row["peak"]) for row in rows] == [peak["peak"] for peak in expected]
     assert {row["unit"] for row in rows if row["quantity"] == "wheel_rail_force"} == {"N"}
+
+    only = ("--study", study_id, "--quantity", "wheel_rail_force", "--sort=-peak", "--speed-kmh-min", 210)
+    assert tracksweep("peaks", *only, "--parquet", tmp_path / "peaks.parquet", **on).returncode == 0
+    saved = pd.read_parquet(tmp_path / "peaks.parquet")["peak"].tolist()
+    printed = json.loads(tracksweep("peaks", *only, "--json", **on).stdout)
+    assert [peak["peak"] for peak in printed] == saved == sorted(saved, reverse=True)
+    assert {peak["speed_kmh"] for peak in printed} == {230}
+
+
+def test_cancel_and_retry(service: Served, on: dict[str, str], tmp_path: Path) -> None:
+    study_id = service.submit(study(300, window_s=20.5))
+    done = tracksweep("cancel", study_id, **on)
+    assert (done.returncode, done.stdout) == (0, "cancelled\n"), done.stderr
+    assert tracksweep("watch", study_id, **on).returncode == 1
+
+    retried = tracksweep("retry", study_id, "--json", **on)
+    assert json.loads(retried.stdout)["state"] in ("queued", "running")
+    assert tracksweep("cancel", study_id, **on).returncode == 0
+
+    unknown = tracksweep("retry", "0" * 32, **on)
+    assert (unknown.returncode, unknown.stdout) == (2, "")
+    assert "There is no such study." in unknown.stderr
 
 
 def test_a_refused_study_is_explained(on: dict[str, str], tmp_path: Path) -> None:

@@ -1,0 +1,428 @@
+from http import HTTPStatus
+from typing import Any
+
+import httpx
+
+from ... import errors
+from ...client import AuthenticatedClient, Client
+from ...models.list_peaks_sort import ListPeaksSort
+from ...models.peak_page import PeakPage
+from ...models.problem_details import ProblemDetails
+from ...types import UNSET, Response, Unset
+
+
+def _get_kwargs(
+    *,
+    page_size: int | Unset = UNSET,
+    cursor: str | Unset = UNSET,
+    study_id: str | Unset = UNSET,
+    quantity: str | Unset = UNSET,
+    position: str | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    spectrum: str | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    wavelength_min_m: float | Unset = UNSET,
+    wavelength_max_m: float | Unset = UNSET,
+    wavelength_m: float | Unset = UNSET,
+    value_min: float | Unset = UNSET,
+    value_max: float | Unset = UNSET,
+    sort: ListPeaksSort | Unset = "case_id",
+) -> dict[str, Any]:
+
+    params: dict[str, Any] = {}
+
+    params["page_size"] = page_size
+
+    params["cursor"] = cursor
+
+    params["study_id"] = study_id
+
+    params["quantity"] = quantity
+
+    params["position"] = position
+
+    params["slab"] = slab
+
+    params["irregularity"] = irregularity
+
+    params["spectrum"] = spectrum
+
+    params["speed_kmh_min"] = speed_kmh_min
+
+    params["speed_kmh_max"] = speed_kmh_max
+
+    params["percentile"] = percentile
+
+    params["wavelength_min_m"] = wavelength_min_m
+
+    params["wavelength_max_m"] = wavelength_max_m
+
+    params["wavelength_m"] = wavelength_m
+
+    params["value_min"] = value_min
+
+    params["value_max"] = value_max
+
+    json_sort: str | Unset = UNSET
+    if not isinstance(sort, Unset):
+        json_sort = sort
+
+    params["sort"] = json_sort
+
+    params = {k: v for k, v in params.items() if v is not UNSET and v is not None}
+
+    _kwargs: dict[str, Any] = {
+        "method": "get",
+        "url": "/v1/peaks",
+        "params": params,
+    }
+
+    return _kwargs
+
+
+def _parse_response(
+    *, client: AuthenticatedClient | Client, response: httpx.Response
+) -> PeakPage | ProblemDetails | None:
+    if response.status_code == 200:
+        response_200 = PeakPage.from_dict(response.json())
+
+        return response_200
+
+    if response.status_code == 422:
+        response_422 = ProblemDetails.from_dict(response.json())
+
+        return response_422
+
+    if response.status_code == 503:
+        response_503 = ProblemDetails.from_dict(response.json())
+
+        return response_503
+
+    if client.raise_on_unexpected_status:
+        raise errors.UnexpectedStatus(response.status_code, response.content)
+    else:
+        return None
+
+
+def _build_response(
+    *, client: AuthenticatedClient | Client, response: httpx.Response
+) -> Response[PeakPage | ProblemDetails]:
+    return Response(
+        status_code=HTTPStatus(response.status_code),
+        content=response.content,
+        headers=response.headers,
+        parsed=_parse_response(client=client, response=response),
+    )
+
+
+def sync_detailed(
+    *,
+    client: AuthenticatedClient | Client,
+    page_size: int | Unset = UNSET,
+    cursor: str | Unset = UNSET,
+    study_id: str | Unset = UNSET,
+    quantity: str | Unset = UNSET,
+    position: str | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    spectrum: str | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    wavelength_min_m: float | Unset = UNSET,
+    wavelength_max_m: float | Unset = UNSET,
+    wavelength_m: float | Unset = UNSET,
+    value_min: float | Unset = UNSET,
+    value_max: float | Unset = UNSET,
+    sort: ListPeaksSort | Unset = "case_id",
+) -> Response[PeakPage | ProblemDetails]:
+    """List Peaks
+
+     List peaks across studies, with the conditions under which they occur.
+
+    Args:
+        page_size (int | Unset): Rows per page; 100 if not given.
+        cursor (str | Unset): `next_cursor` of the page before.
+        study_id (str | Unset):
+        quantity (str | Unset):
+        position (str | Unset):
+        slab (str | Unset):
+        irregularity (str | Unset):
+        spectrum (str | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        percentile (float | Unset):
+        wavelength_min_m (float | Unset): Shortest wavelength of the band.
+        wavelength_max_m (float | Unset): Longest wavelength of the band.
+        wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
+        value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
+        value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
+            'case_id'.
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        Response[PeakPage | ProblemDetails]
+    """
+
+    kwargs = _get_kwargs(
+        page_size=page_size,
+        cursor=cursor,
+        study_id=study_id,
+        quantity=quantity,
+        position=position,
+        slab=slab,
+        irregularity=irregularity,
+        spectrum=spectrum,
+        speed_kmh_min=speed_kmh_min,
+        speed_kmh_max=speed_kmh_max,
+        percentile=percentile,
+        wavelength_min_m=wavelength_min_m,
+        wavelength_max_m=wavelength_max_m,
+        wavelength_m=wavelength_m,
+        value_min=value_min,
+        value_max=value_max,
+        sort=sort,
+    )
+
+    response = client.get_httpx_client().request(
+        **kwargs,
+    )
+
+    return _build_response(client=client, response=response)
+
+
+def sync(
+    *,
+    client: AuthenticatedClient | Client,
+    page_size: int | Unset = UNSET,
+    cursor: str | Unset = UNSET,
+    study_id: str | Unset = UNSET,
+    quantity: str | Unset = UNSET,
+    position: str | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    spectrum: str | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    wavelength_min_m: float | Unset = UNSET,
+    wavelength_max_m: float | Unset = UNSET,
+    wavelength_m: float | Unset = UNSET,
+    value_min: float | Unset = UNSET,
+    value_max: float | Unset = UNSET,
+    sort: ListPeaksSort | Unset = "case_id",
+) -> PeakPage | ProblemDetails | None:
+    """List Peaks
+
+     List peaks across studies, with the conditions under which they occur.
+
+    Args:
+        page_size (int | Unset): Rows per page; 100 if not given.
+        cursor (str | Unset): `next_cursor` of the page before.
+        study_id (str | Unset):
+        quantity (str | Unset):
+        position (str | Unset):
+        slab (str | Unset):
+        irregularity (str | Unset):
+        spectrum (str | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        percentile (float | Unset):
+        wavelength_min_m (float | Unset): Shortest wavelength of the band.
+        wavelength_max_m (float | Unset): Longest wavelength of the band.
+        wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
+        value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
+        value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
+            'case_id'.
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        PeakPage | ProblemDetails
+    """
+
+    return sync_detailed(
+        client=client,
+        page_size=page_size,
+        cursor=cursor,
+        study_id=study_id,
+        quantity=quantity,
+        position=position,
+        slab=slab,
+        irregularity=irregularity,
+        spectrum=spectrum,
+        speed_kmh_min=speed_kmh_min,
+        speed_kmh_max=speed_kmh_max,
+        percentile=percentile,
+        wavelength_min_m=wavelength_min_m,
+        wavelength_max_m=wavelength_max_m,
+        wavelength_m=wavelength_m,
+        value_min=value_min,
+        value_max=value_max,
+        sort=sort,
+    ).parsed
+
+
+async def asyncio_detailed(
+    *,
+    client: AuthenticatedClient | Client,
+    page_size: int | Unset = UNSET,
+    cursor: str | Unset = UNSET,
+    study_id: str | Unset = UNSET,
+    quantity: str | Unset = UNSET,
+    position: str | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    spectrum: str | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    wavelength_min_m: float | Unset = UNSET,
+    wavelength_max_m: float | Unset = UNSET,
+    wavelength_m: float | Unset = UNSET,
+    value_min: float | Unset = UNSET,
+    value_max: float | Unset = UNSET,
+    sort: ListPeaksSort | Unset = "case_id",
+) -> Response[PeakPage | ProblemDetails]:
+    """List Peaks
+
+     List peaks across studies, with the conditions under which they occur.
+
+    Args:
+        page_size (int | Unset): Rows per page; 100 if not given.
+        cursor (str | Unset): `next_cursor` of the page before.
+        study_id (str | Unset):
+        quantity (str | Unset):
+        position (str | Unset):
+        slab (str | Unset):
+        irregularity (str | Unset):
+        spectrum (str | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        percentile (float | Unset):
+        wavelength_min_m (float | Unset): Shortest wavelength of the band.
+        wavelength_max_m (float | Unset): Longest wavelength of the band.
+        wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
+        value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
+        value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
+            'case_id'.
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        Response[PeakPage | ProblemDetails]
+    """
+
+    kwargs = _get_kwargs(
+        page_size=page_size,
+        cursor=cursor,
+        study_id=study_id,
+        quantity=quantity,
+        position=position,
+        slab=slab,
+        irregularity=irregularity,
+        spectrum=spectrum,
+        speed_kmh_min=speed_kmh_min,
+        speed_kmh_max=speed_kmh_max,
+        percentile=percentile,
+        wavelength_min_m=wavelength_min_m,
+        wavelength_max_m=wavelength_max_m,
+        wavelength_m=wavelength_m,
+        value_min=value_min,
+        value_max=value_max,
+        sort=sort,
+    )
+
+    response = await client.get_async_httpx_client().request(**kwargs)
+
+    return _build_response(client=client, response=response)
+
+
+async def asyncio(
+    *,
+    client: AuthenticatedClient | Client,
+    page_size: int | Unset = UNSET,
+    cursor: str | Unset = UNSET,
+    study_id: str | Unset = UNSET,
+    quantity: str | Unset = UNSET,
+    position: str | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    spectrum: str | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    wavelength_min_m: float | Unset = UNSET,
+    wavelength_max_m: float | Unset = UNSET,
+    wavelength_m: float | Unset = UNSET,
+    value_min: float | Unset = UNSET,
+    value_max: float | Unset = UNSET,
+    sort: ListPeaksSort | Unset = "case_id",
+) -> PeakPage | ProblemDetails | None:
+    """List Peaks
+
+     List peaks across studies, with the conditions under which they occur.
+
+    Args:
+        page_size (int | Unset): Rows per page; 100 if not given.
+        cursor (str | Unset): `next_cursor` of the page before.
+        study_id (str | Unset):
+        quantity (str | Unset):
+        position (str | Unset):
+        slab (str | Unset):
+        irregularity (str | Unset):
+        spectrum (str | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        percentile (float | Unset):
+        wavelength_min_m (float | Unset): Shortest wavelength of the band.
+        wavelength_max_m (float | Unset): Longest wavelength of the band.
+        wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
+        value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
+        value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
+            'case_id'.
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        PeakPage | ProblemDetails
+    """
+
+    return (
+        await asyncio_detailed(
+            client=client,
+            page_size=page_size,
+            cursor=cursor,
+            study_id=study_id,
+            quantity=quantity,
+            position=position,
+            slab=slab,
+            irregularity=irregularity,
+            spectrum=spectrum,
+            speed_kmh_min=speed_kmh_min,
+            speed_kmh_max=speed_kmh_max,
+            percentile=percentile,
+            wavelength_min_m=wavelength_min_m,
+            wavelength_max_m=wavelength_max_m,
+            wavelength_m=wavelength_m,
+            value_min=value_min,
+            value_max=value_max,
+            sort=sort,
+        )
+    ).parsed

@@ -1,0 +1,195 @@
+from __future__ import annotations
+
+import datetime
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, TypeVar, cast
+
+from attrs import define as _attrs_define
+from attrs import field as _attrs_field
+
+from ..models.study_summary_state import StudySummaryState, check_study_summary_state
+
+if TYPE_CHECKING:
+    from ..models.case_counts import CaseCounts
+    from ..models.study_summary_labels import StudySummaryLabels
+
+
+T = TypeVar("T", bound="StudySummary")
+
+
+@_attrs_define
+class StudySummary:
+    """A study and how far it is.
+
+    Attributes:
+        id (str):
+        name (str):
+        labels (StudySummaryLabels):
+        priority (int):
+        keep_history (bool):
+        state (StudySummaryState):
+        progress (float): Fraction done, 0 to 1.
+        cases (CaseCounts): How many cases of a study are in which state.
+        cases_reused (int): Cases that were already computed when the study was created.
+        created_at (datetime.datetime):
+        started_at (datetime.datetime | None):
+        finished_at (datetime.datetime | None):
+    """
+
+    id: str
+    name: str
+    labels: StudySummaryLabels
+    priority: int
+    keep_history: bool
+    state: StudySummaryState
+    progress: float
+    cases: CaseCounts
+    cases_reused: int
+    created_at: datetime.datetime
+    started_at: datetime.datetime | None
+    finished_at: datetime.datetime | None
+    additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
+
+    def to_dict(self) -> dict[str, Any]:
+        id = self.id
+
+        name = self.name
+
+        labels = self.labels.to_dict()
+
+        priority = self.priority
+
+        keep_history = self.keep_history
+
+        state: str = self.state
+
+        progress = self.progress
+
+        cases = self.cases.to_dict()
+
+        cases_reused = self.cases_reused
+
+        created_at = self.created_at.isoformat()
+
+        started_at: None | str
+        if isinstance(self.started_at, datetime.datetime):
+            started_at = self.started_at.isoformat()
+        else:
+            started_at = self.started_at
+
+        finished_at: None | str
+        if isinstance(self.finished_at, datetime.datetime):
+            finished_at = self.finished_at.isoformat()
+        else:
+            finished_at = self.finished_at
+
+        field_dict: dict[str, Any] = {}
+        field_dict.update(self.additional_properties)
+        field_dict.update(
+            {
+                "id": id,
+                "name": name,
+                "labels": labels,
+                "priority": priority,
+                "keep_history": keep_history,
+                "state": state,
+                "progress": progress,
+                "cases": cases,
+                "cases_reused": cases_reused,
+                "created_at": created_at,
+                "started_at": started_at,
+                "finished_at": finished_at,
+            }
+        )
+
+        return field_dict
+
+    @classmethod
+    def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.case_counts import CaseCounts  # noqa: PLC0415
+        from ..models.study_summary_labels import StudySummaryLabels  # noqa: PLC0415
+
+        d = dict(src_dict)
+        id = d.pop("id")
+
+        name = d.pop("name")
+
+        labels = StudySummaryLabels.from_dict(d.pop("labels"))
+
+        priority = d.pop("priority")
+
+        keep_history = d.pop("keep_history")
+
+        state = check_study_summary_state(d.pop("state"))
+
+        progress = d.pop("progress")
+
+        cases = CaseCounts.from_dict(d.pop("cases"))
+
+        cases_reused = d.pop("cases_reused")
+
+        created_at = datetime.datetime.fromisoformat(d.pop("created_at"))
+
+        def _parse_started_at(data: object) -> datetime.datetime | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, str):
+                    raise TypeError()
+                started_at_type_0 = datetime.datetime.fromisoformat(data)
+
+                return started_at_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(datetime.datetime | None, data)
+
+        started_at = _parse_started_at(d.pop("started_at"))
+
+        def _parse_finished_at(data: object) -> datetime.datetime | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, str):
+                    raise TypeError()
+                finished_at_type_0 = datetime.datetime.fromisoformat(data)
+
+                return finished_at_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(datetime.datetime | None, data)
+
+        finished_at = _parse_finished_at(d.pop("finished_at"))
+
+        study_summary = cls(
+            id=id,
+            name=name,
+            labels=labels,
+            priority=priority,
+            keep_history=keep_history,
+            state=state,
+            progress=progress,
+            cases=cases,
+            cases_reused=cases_reused,
+            created_at=created_at,
+            started_at=started_at,
+            finished_at=finished_at,
+        )
+
+        study_summary.additional_properties = d
+        return study_summary
+
+    @property
+    def additional_keys(self) -> list[str]:
+        return list(self.additional_properties.keys())
+
+    def __getitem__(self, key: str) -> Any:
+        return self.additional_properties[key]
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        self.additional_properties[key] = value
+
+    def __delitem__(self, key: str) -> None:
+        del self.additional_properties[key]
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.additional_properties
