@@ -50,7 +50,11 @@ def test_what_is_refused_says_why(remote: Service) -> None:
 
 
 def test_without_blocking(service: Served) -> None:
-    quantities = asyncio.run(list_quantities.asyncio(client=connect(str(service.http.base_url))))
+    async def ask() -> object:
+        async with connect(str(service.http.base_url)) as client:
+            return await list_quantities.asyncio(client=client)
+
+    quantities = asyncio.run(ask())
     assert isinstance(quantities, QuantityList)
     assert "wheel_rail_force" in [quantity.name for quantity in quantities.items]
 
