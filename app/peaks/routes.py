@@ -25,7 +25,7 @@ def list_peaks(query: Annotated[PeakQuery, Query()], context: ContextDep) -> Pea
     return PeakPage(items=[PeakRow.model_validate(row._asdict()) for row in rows], next_cursor=cursor)
 
 
-@router.get(".csv", response_class=Response, responses={200: {"content": {CSV: {"schema": {"type": "string"}}}}})
+@router.get(".csv", response_class=Response, responses=binary(CSV))
 def export_peaks_csv(filters: Annotated[PeakFilters, Query()], context: ContextDep) -> Response:
     """Export peaks as CSV, with the unit of each, its case's digest and the version of the solver."""
     return _stream(export.as_csv(export.rows(context.database, filters)), CSV, "peaks.csv")

@@ -1,6 +1,5 @@
 """The service as scripts use it: studies in, progress and peaks out."""
 
-import io
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import nullcontext
@@ -101,7 +100,7 @@ class Service:
         """The same as a table of Pandas."""
         import pandas as pd
 
-        return pd.read_csv(io.StringIO(_given(export_peaks_csv.sync_detailed(client=self.client, **filters))))
+        return pd.read_csv(_given(export_peaks_csv.sync_detailed(client=self.client, **filters)).payload)
 
     def save_peaks(self, path: Path | str, kind: Literal["csv", "parquet"] = "csv", **filters: Any) -> None:
         """The same as a file, however large."""

@@ -38,6 +38,7 @@ from .limits import Limits
 from .list_cases_sort import ListCasesSort
 from .list_cases_state import ListCasesState
 from .list_peaks_sort import ListPeaksSort
+from .list_profiles_sort import ListProfilesSort
 from .list_studies_sort import ListStudiesSort
 from .list_studies_state import ListStudiesState
 from .list_sweep import ListSweep
@@ -60,6 +61,8 @@ from .preset_list import PresetList
 from .problem_details import ProblemDetails
 from .product_sweep import ProductSweep
 from .product_sweep_slab_item import ProductSweepSlabItem
+from .profile_info import ProfileInfo
+from .profile_page import ProfilePage
 from .profile_sweep import ProfileSweep
 from .quantiles import Quantiles
 from .quantity_info import QuantityInfo
@@ -162,6 +165,7 @@ __all__ = (
     "ListedCase",
     "ListedCaseSlab",
     "ListPeaksSort",
+    "ListProfilesSort",
     "ListStudiesSort",
     "ListStudiesState",
     "ListSweep",
@@ -182,6 +186,8 @@ __all__ = (
     "ProblemDetails",
     "ProductSweep",
     "ProductSweepSlabItem",
+    "ProfileInfo",
+    "ProfilePage",
     "ProfileSweep",
     "Quantiles",
     "QuantityInfo",

@@ -47,7 +47,8 @@ class CaseDetail:
         created_at (datetime.datetime):
         started_at (datetime.datetime | None):
         finished_at (datetime.datetime | None):
-        inputs (CaseDetailInputs): The case as `tracksweep solve` takes it, every value spelled out.
+        inputs (CaseDetailInputs): The case as `tracksweep solve` takes it, every value spelled out; of a measured
+            profile, the `profile_id`, where `tracksweep solve` takes a file.
         processing (CaseDetailProcessingType0 | None): How its peaks were derived: sampling, window, filters, indices,
             conventions. Null for a case that has not succeeded or was computed before this was stored.
         history (None | StoredHistory):

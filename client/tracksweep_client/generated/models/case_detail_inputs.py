@@ -11,7 +11,10 @@ T = TypeVar("T", bound="CaseDetailInputs")
 
 @_attrs_define
 class CaseDetailInputs:
-    """The case as `tracksweep solve` takes it, every value spelled out."""
+    """The case as `tracksweep solve` takes it, every value spelled out; of a measured profile, the `profile_id`, where
+    `tracksweep solve` takes a file.
+
+    """
 
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 

@@ -14,7 +14,7 @@ class FieldProblem:
     """What is wrong with one field of a request.
 
     Attributes:
-        pointer (str): JSON Pointer into the body, or /query/NAME or /header/NAME.
+        pointer (str): JSON Pointer into the body, or /line/N of CSV, /query/NAME or /header/NAME.
         code (str): Stable name of the reason.
         detail (str): The reason in words.
     """

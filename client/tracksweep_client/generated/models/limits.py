@@ -21,6 +21,8 @@ class Limits:
         max_cases_per_study (int):
         max_page_size (int):
         max_body_bytes (int):
+        max_profile_bytes (int):
+        max_profile_points (int):
         max_labels (int):
         max_irregularity_terms (int):
         max_spectrum_points (int):
@@ -30,6 +32,8 @@ class Limits:
     max_cases_per_study: int
     max_page_size: int
     max_body_bytes: int
+    max_profile_bytes: int
+    max_profile_points: int
     max_labels: int
     max_irregularity_terms: int
     max_spectrum_points: int
@@ -42,6 +46,10 @@ class Limits:
         max_page_size = self.max_page_size
 
         max_body_bytes = self.max_body_bytes
+
+        max_profile_bytes = self.max_profile_bytes
+
+        max_profile_points = self.max_profile_points
 
         max_labels = self.max_labels
 
@@ -61,6 +69,8 @@ class Limits:
                 "max_cases_per_study": max_cases_per_study,
                 "max_page_size": max_page_size,
                 "max_body_bytes": max_body_bytes,
+                "max_profile_bytes": max_profile_bytes,
+                "max_profile_points": max_profile_points,
                 "max_labels": max_labels,
                 "max_irregularity_terms": max_irregularity_terms,
                 "max_spectrum_points": max_spectrum_points,
@@ -81,6 +91,10 @@ class Limits:
 
         max_body_bytes = d.pop("max_body_bytes")
 
+        max_profile_bytes = d.pop("max_profile_bytes")
+
+        max_profile_points = d.pop("max_profile_points")
+
         max_labels = d.pop("max_labels")
 
         max_irregularity_terms = d.pop("max_irregularity_terms")
@@ -98,6 +112,8 @@ class Limits:
             max_cases_per_study=max_cases_per_study,
             max_page_size=max_page_size,
             max_body_bytes=max_body_bytes,
+            max_profile_bytes=max_profile_bytes,
+            max_profile_points=max_profile_points,
             max_labels=max_labels,
             max_irregularity_terms=max_irregularity_terms,
             max_spectrum_points=max_spectrum_points,

@@ -1,4 +1,5 @@
 from http import HTTPStatus
+from io import BytesIO
 from typing import Any
 
 import httpx
@@ -9,7 +10,7 @@ from ...models.export_peaks_csv_sort import (
     ExportPeaksCsvSort,
 )
 from ...models.problem_details import ProblemDetails
-from ...types import UNSET, Response, Unset
+from ...types import UNSET, File, Response, Unset
 
 
 def _get_kwargs(
@@ -78,9 +79,10 @@ def _get_kwargs(
     return _kwargs
 
 
-def _parse_response(*, client: AuthenticatedClient | Client, response: httpx.Response) -> ProblemDetails | str | None:
+def _parse_response(*, client: AuthenticatedClient | Client, response: httpx.Response) -> File | ProblemDetails | None:
     if response.status_code == 200:
-        response_200 = response.text
+        response_200 = File(payload=BytesIO(response.content))
+
         return response_200
 
     if response.status_code == 422:
@@ -101,7 +103,7 @@ def _parse_response(*, client: AuthenticatedClient | Client, response: httpx.Res
 
 def _build_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
-) -> Response[ProblemDetails | str]:
+) -> Response[File | ProblemDetails]:
     return Response(
         status_code=HTTPStatus(response.status_code),
         content=response.content,
@@ -128,7 +130,7 @@ def sync_detailed(
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
-) -> Response[ProblemDetails | str]:
+) -> Response[File | ProblemDetails]:
     """Export Peaks Csv
 
      Export peaks as CSV, with the unit of each, its case's digest and the version of the solver.
@@ -156,7 +158,7 @@ def sync_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[ProblemDetails | str]
+        Response[File | ProblemDetails]
     """
 
     kwargs = _get_kwargs(
@@ -202,7 +204,7 @@ def sync(
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
-) -> ProblemDetails | str | None:
+) -> File | ProblemDetails | None:
     """Export Peaks Csv
 
      Export peaks as CSV, with the unit of each, its case's digest and the version of the solver.
@@ -230,7 +232,7 @@ def sync(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        ProblemDetails | str
+        File | ProblemDetails
     """
 
     return sync_detailed(
@@ -271,7 +273,7 @@ async def asyncio_detailed(
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
-) -> Response[ProblemDetails | str]:
+) -> Response[File | ProblemDetails]:
     """Export Peaks Csv
 
      Export peaks as CSV, with the unit of each, its case's digest and the version of the solver.
@@ -299,7 +301,7 @@ async def asyncio_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[ProblemDetails | str]
+        Response[File | ProblemDetails]
     """
 
     kwargs = _get_kwargs(
@@ -343,7 +345,7 @@ async def asyncio(
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
-) -> ProblemDetails | str | None:
+) -> File | ProblemDetails | None:
     """Export Peaks Csv
 
      Export peaks as CSV, with the unit of each, its case's digest and the version of the solver.
@@ -371,7 +373,7 @@ async def asyncio(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        ProblemDetails | str
+        File | ProblemDetails
     """
 
     return (
