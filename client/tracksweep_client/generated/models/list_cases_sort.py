@@ -1,12 +1,35 @@
 from typing import Literal
 
-ListCasesSort = Literal["-position", "-speed_kmh", "-state", "position", "speed_kmh", "state"]
-
-LIST_CASES_SORT_VALUES: set[ListCasesSort] = {
+ListCasesSort = Literal[
+    "-cpu_s",
+    "-finished_at",
+    "-percentile",
     "-position",
+    "-slab",
     "-speed_kmh",
     "-state",
+    "cpu_s",
+    "finished_at",
+    "percentile",
     "position",
+    "slab",
+    "speed_kmh",
+    "state",
+]
+
+LIST_CASES_SORT_VALUES: set[ListCasesSort] = {
+    "-cpu_s",
+    "-finished_at",
+    "-percentile",
+    "-position",
+    "-slab",
+    "-speed_kmh",
+    "-state",
+    "cpu_s",
+    "finished_at",
+    "percentile",
+    "position",
+    "slab",
     "speed_kmh",
     "state",
 }

@@ -19,6 +19,11 @@ def _get_kwargs(
     page_size: int | Unset = UNSET,
     cursor: str | Unset = UNSET,
     state: ListCasesState | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
     sort: ListCasesSort | Unset = "position",
 ) -> dict[str, Any]:
 
@@ -33,6 +38,16 @@ def _get_kwargs(
         json_state = state
 
     params["state"] = json_state
+
+    params["slab"] = slab
+
+    params["irregularity"] = irregularity
+
+    params["percentile"] = percentile
+
+    params["speed_kmh_min"] = speed_kmh_min
+
+    params["speed_kmh_max"] = speed_kmh_max
 
     json_sort: str | Unset = UNSET
     if not isinstance(sort, Unset):
@@ -104,6 +119,11 @@ def sync_detailed(
     page_size: int | Unset = UNSET,
     cursor: str | Unset = UNSET,
     state: ListCasesState | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
     sort: ListCasesSort | Unset = "position",
 ) -> Response[Any | CasePage | ProblemDetails]:
     """List Cases
@@ -115,7 +135,13 @@ def sync_detailed(
         page_size (int | Unset): Rows per page; 100 if not given.
         cursor (str | Unset): `next_cursor` of the page before.
         state (ListCasesState | Unset):
-        sort (ListCasesSort | Unset):  Default: 'position'.
+        slab (str | Unset):
+        irregularity (str | Unset):
+        percentile (float | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        sort (ListCasesSort | Unset): A column, or the place in the sweep; with a minus sign, from
+            large to small. Default: 'position'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -130,6 +156,11 @@ def sync_detailed(
         page_size=page_size,
         cursor=cursor,
         state=state,
+        slab=slab,
+        irregularity=irregularity,
+        percentile=percentile,
+        speed_kmh_min=speed_kmh_min,
+        speed_kmh_max=speed_kmh_max,
         sort=sort,
     )
 
@@ -147,6 +178,11 @@ def sync(
     page_size: int | Unset = UNSET,
     cursor: str | Unset = UNSET,
     state: ListCasesState | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
     sort: ListCasesSort | Unset = "position",
 ) -> Any | CasePage | ProblemDetails | None:
     """List Cases
@@ -158,7 +194,13 @@ def sync(
         page_size (int | Unset): Rows per page; 100 if not given.
         cursor (str | Unset): `next_cursor` of the page before.
         state (ListCasesState | Unset):
-        sort (ListCasesSort | Unset):  Default: 'position'.
+        slab (str | Unset):
+        irregularity (str | Unset):
+        percentile (float | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        sort (ListCasesSort | Unset): A column, or the place in the sweep; with a minus sign, from
+            large to small. Default: 'position'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -174,6 +216,11 @@ def sync(
         page_size=page_size,
         cursor=cursor,
         state=state,
+        slab=slab,
+        irregularity=irregularity,
+        percentile=percentile,
+        speed_kmh_min=speed_kmh_min,
+        speed_kmh_max=speed_kmh_max,
         sort=sort,
     ).parsed
 
@@ -185,6 +232,11 @@ async def asyncio_detailed(
     page_size: int | Unset = UNSET,
     cursor: str | Unset = UNSET,
     state: ListCasesState | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
     sort: ListCasesSort | Unset = "position",
 ) -> Response[Any | CasePage | ProblemDetails]:
     """List Cases
@@ -196,7 +248,13 @@ async def asyncio_detailed(
         page_size (int | Unset): Rows per page; 100 if not given.
         cursor (str | Unset): `next_cursor` of the page before.
         state (ListCasesState | Unset):
-        sort (ListCasesSort | Unset):  Default: 'position'.
+        slab (str | Unset):
+        irregularity (str | Unset):
+        percentile (float | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        sort (ListCasesSort | Unset): A column, or the place in the sweep; with a minus sign, from
+            large to small. Default: 'position'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -211,6 +269,11 @@ async def asyncio_detailed(
         page_size=page_size,
         cursor=cursor,
         state=state,
+        slab=slab,
+        irregularity=irregularity,
+        percentile=percentile,
+        speed_kmh_min=speed_kmh_min,
+        speed_kmh_max=speed_kmh_max,
         sort=sort,
     )
 
@@ -226,6 +289,11 @@ async def asyncio(
     page_size: int | Unset = UNSET,
     cursor: str | Unset = UNSET,
     state: ListCasesState | Unset = UNSET,
+    slab: str | Unset = UNSET,
+    irregularity: str | Unset = UNSET,
+    percentile: float | Unset = UNSET,
+    speed_kmh_min: float | Unset = UNSET,
+    speed_kmh_max: float | Unset = UNSET,
     sort: ListCasesSort | Unset = "position",
 ) -> Any | CasePage | ProblemDetails | None:
     """List Cases
@@ -237,7 +305,13 @@ async def asyncio(
         page_size (int | Unset): Rows per page; 100 if not given.
         cursor (str | Unset): `next_cursor` of the page before.
         state (ListCasesState | Unset):
-        sort (ListCasesSort | Unset):  Default: 'position'.
+        slab (str | Unset):
+        irregularity (str | Unset):
+        percentile (float | Unset):
+        speed_kmh_min (float | Unset):
+        speed_kmh_max (float | Unset):
+        sort (ListCasesSort | Unset): A column, or the place in the sweep; with a minus sign, from
+            large to small. Default: 'position'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -254,6 +328,11 @@ async def asyncio(
             page_size=page_size,
             cursor=cursor,
             state=state,
+            slab=slab,
+            irregularity=irregularity,
+            percentile=percentile,
+            speed_kmh_min=speed_kmh_min,
+            speed_kmh_max=speed_kmh_max,
             sort=sort,
         )
     ).parsed
