@@ -5,6 +5,7 @@ import os
 import tempfile
 from functools import cached_property
 from pathlib import Path
+from typing import Literal
 from urllib.parse import quote
 
 from pydantic import Field
@@ -35,6 +36,12 @@ class Settings(BaseSettings):
     max_page_size: int = Field(default=500, ge=1, description="Largest page of a list.")
     max_body_bytes: int = Field(default=1_000_000, ge=1, description="Largest request body.")
     max_profile_bytes: int = Field(default=10_000_000, ge=1, description="Largest measured profile, as CSV.")
+
+    require_keys: Literal["auto", "always", "never"] = Field(
+        default="auto", description="Whether every request needs an API key; auto: unless it comes by the loopback."
+    )
+    reads_per_minute: int = Field(default=6000, ge=0, description="Requests to read, per key or address; 0: any.")
+    writes_per_minute: int = Field(default=1200, ge=0, description="Other requests, per key or address; 0: any.")
 
     max_watchers: int = Field(default=100, ge=1, description="Streams of events that one API process keeps open.")
     watch_keep_alive_s: float = Field(default=15.0, gt=0, description="Longest silence of a stream of events.")

@@ -23,6 +23,7 @@ STATISTICS = ("peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "tra
 EventKind = Literal["state", "case", "done"]
 VerificationState = Literal["queued", "running", "succeeded", "failed"]
 VerificationOutcome = Literal["same", "differs"]
+Scope = Literal["read", "write", "admin"]
 
 
 class Base(DeclarativeBase):
@@ -40,15 +41,33 @@ class Base(DeclarativeBase):
     type_annotation_map = {float: Double(), dict[str, Any]: JSON(), str: String(), CaseState: String(16)}  # noqa: RUF012 - SQLAlchemy's own protocol
 
 
+class ApiKey(Base):
+    """Who may use the service: a name, of whose secret only a hash is known. It is revoked, never deleted."""
+
+    __tablename__ = "api_key"
+
+    id: Mapped[int] = mapped_column(BigKey, primary_key=True)
+    name: Mapped[str] = mapped_column(unique=True)
+    scope: Mapped[Scope] = mapped_column(String(16))
+    hash: Mapped[str] = mapped_column(String(64))  # SHA-256 of the secret, which is random and needs no salt
+    max_queued_cases: Mapped[int | None]
+    cpu_s_per_day: Mapped[float | None]
+    created_at: Mapped[float] = mapped_column(default=Clock())
+    revoked_at: Mapped[float | None]
+    last_used_at: Mapped[float | None]  # to the hour
+
+
 class Study(Base):
     """A parametric study as it was asked for. Its state is derived from its cases and never stored."""
 
     __tablename__ = "study"
 
     id: Mapped[str] = mapped_column(String(32), primary_key=True)
+    owner_id: Mapped[int | None] = mapped_column(ForeignKey("api_key.id"), index=True)  # null: asked for without a key
     name: Mapped[str]
     labels: Mapped[dict[str, Any]]
     priority: Mapped[int]
+    end_turn: Mapped[int] = mapped_column(BigKey, server_default="0")  # behind its last case, see app/cases/queue.py
     keep_history: Mapped[bool]
     request: Mapped[dict[str, Any]]
     cases_reused: Mapped[int]
@@ -90,6 +109,7 @@ class Case(Base):
     priority: Mapped[int]
     turn: Mapped[int] = mapped_column(BigKey, server_default="0")  # place in the queue, see app/cases/queue.py
     attempt: Mapped[int] = mapped_column(default=0)  # with the token, fences out a worker that lost its lease
+    charged_to: Mapped[int | None] = mapped_column(BigKey)  # the key that asked for its computation first
     lease_token: Mapped[str | None] = mapped_column(String(32))
     lease_expires: Mapped[float | None]
     heartbeat_at: Mapped[float | None]
@@ -110,6 +130,7 @@ CONDITIONS = (
 for _name in CONDITIONS:
     Index(None, getattr(Case, _name), Case.id)
 Index("ix_case_queue", Case.state, Case.priority.desc(), Case.turn, Case.id)
+Index("ix_case_charged", Case.charged_to, Case.finished_at)
 Index("ix_case_operator", Case.operator_key, Case.state, Case.priority, Case.id)
 
 
@@ -120,6 +141,15 @@ class Worker(Base):
 
     name: Mapped[str] = mapped_column(primary_key=True)
     expires: Mapped[float]
+
+
+class StudyShare(Base):
+    """That a key may see a study of another."""
+
+    __tablename__ = "study_share"
+
+    study_id: Mapped[str] = mapped_column(ForeignKey("study.id", ondelete="CASCADE"), primary_key=True)
+    key_id: Mapped[int] = mapped_column(ForeignKey("api_key.id"), primary_key=True, index=True)
 
 
 class StudyCase(Base):
