@@ -1,5 +1,6 @@
 """Commands of the program that run the service or its parts. What they need is imported when they run."""
 
+import os
 import socket
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -51,6 +52,7 @@ def api(
         listener = listen(settings.host, settings.port) if fd is None else socket.socket(fileno=fd)
     except CannotServeError as error:
         fail(error, WRONG_USAGE)
+    os.environ["TRACKSWEEP_HOST"] = listener.getsockname()[0]  # who can reach the API decides whether it asks for keys
     # A watcher's stream may stay open for hours: what is unfinished after two seconds is cut.
     config = uvicorn.Config("app.main:create_app", factory=True, timeout_graceful_shutdown=2)
     uvicorn.Server(config).run(sockets=[listener])

@@ -1,5 +1,6 @@
 """Requests that may be repeated: the first answer is kept under the client's key and given again."""
 
+import hashlib
 from typing import Annotated, Any
 
 from fastapi import Header
@@ -21,6 +22,11 @@ IdempotencyKeyHeader = Annotated[
         "for 24 hours; one that comes while the first is still in progress waits for it.",
     ),
 ]
+
+
+def key_of(owner_id: int | None, key: str) -> str:
+    """The key under which an answer is kept: two owners may send the same one."""
+    return key if owner_id is None else hashlib.sha256(f"{owner_id} {key}".encode()).hexdigest()
 
 
 def recall(session: Session, key: str, request_digest: str) -> dict[str, Any] | None:

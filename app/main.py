@@ -2,14 +2,20 @@
 
 import threading
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from importlib.metadata import version
 
-from fastapi import APIRouter, FastAPI
+import structlog
+from fastapi import APIRouter, Depends, FastAPI
 from fastapi_offline import FastAPIOffline
 from sqlalchemy import select
+from sqlalchemy.exc import SQLAlchemyError
 
 from app import log, openapi, problems
+from app.access import keys
+from app.access.caller import identify, keys_required
+from app.access.rates import Rates
+from app.access.routes import router as shares
 from app.analysis.routes import router as analysis
 from app.cases.routes import router as cases
 from app.catalogue.routes import router as catalogue
@@ -44,6 +50,15 @@ def readyz(context: ContextDep) -> dict[str, str]:
     return {"status": "ok"}
 
 
+def _warn_without_keys(context: Context) -> None:
+    if not keys_required(context.settings):
+        return
+    with suppress(SQLAlchemyError), context.database.read() as session:  # whoever asks is told that it is away
+        if not keys.any_valid(session):
+            hint = "tracksweep keys create NAME --scope admin"
+            structlog.get_logger().warning("every request needs an API key, and there is none", create_one=hint)
+
+
 def create_app(settings: Settings | None = None) -> FastAPI:
     """The application.
 
@@ -63,6 +78,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        _warn_without_keys(context)
         yield
         context.database.close()
 
@@ -75,13 +91,15 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.context = context
+    app.state.rates = Rates(settings)
     app.state.watchers = threading.BoundedSemaphore(settings.max_watchers)
     app.add_middleware(HeadMiddleware)
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)
+    app.include_router(health)
     for router in (
-        health,
         studies,
+        shares,
         estimates,
         cases,
         histories,
@@ -91,6 +109,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         verifications,
         profiles,
     ):
-        app.include_router(router)
+        app.include_router(router, dependencies=[Depends(identify)])
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way
     return app

@@ -9,7 +9,14 @@ from fastapi.openapi.utils import get_openapi
 from app.problems import MEDIA_TYPE, ProblemDetails
 
 REFERENCE = "#/components/schemas/{model}"
-ALWAYS = {"422": "Invalid", "503": "Database or disk away"}
+ALWAYS = {
+    "401": "A valid API key is needed, or the one sent is not valid",
+    "403": "The API key's scope does not suffice",
+    "422": "Invalid",
+    "429": "Too many requests, or a quota is used up",
+    "503": "Database or disk away",
+}
+KEY = {"type": "http", "scheme": "bearer", "description": "An API key, ts_…, that `tracksweep keys create` printed."}
 WITH_BODY = {"400": "Unparsable", "413": "Body too large", "415": "Body of another type"}
 WITH_PATH = {"404": "Not found"}
 
@@ -23,6 +30,9 @@ def document(app: FastAPI) -> dict[str, Any]:
             schemas.pop(name, None)
         problem = ProblemDetails.model_json_schema(ref_template=REFERENCE)
         schemas |= problem.pop("$defs") | {"ProblemDetails": problem}
+        # Optional, as whether a key is needed depends on where the service listens.
+        schema["security"] = [{}, {"key": []}]
+        schema["components"]["securitySchemes"] = {"key": KEY}
         for path, operations in schema["paths"].items():
             for operation in operations.values():
                 _document_problems(path, operation)

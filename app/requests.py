@@ -115,7 +115,10 @@ class HeadMiddleware:
 
 
 class RequestIdMiddleware:
-    """Number every request: in its log lines, in its problem details and in the header ``X-Request-ID``."""
+    """Number every request: in its log lines, in its problem details and in the header ``X-Request-ID``.
+
+    Whatever else is put in ``request.state.headers`` goes with the answer too, be it a success or a problem.
+    """
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -123,11 +126,12 @@ class RequestIdMiddleware:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Handle one connection."""
         request_id = uuid4().hex
-        scope.setdefault("state", {})["request_id"] = request_id
+        headers = {"X-Request-ID": request_id}
+        scope.setdefault("state", {}).update(request_id=request_id, headers=headers)
 
         async def send_numbered(message: AsgiMessage) -> None:
             if message["type"] == "http.response.start":
-                MutableHeaders(scope=message)["X-Request-ID"] = request_id
+                MutableHeaders(scope=message).update(headers)
             await send(message)
 
         with bound_contextvars(request_id=request_id):

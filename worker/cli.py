@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from app.access.cli import keys
 from app.cli import load_settings, service
 from app.remote.cli import remote
 
@@ -17,6 +18,7 @@ program = typer.Typer(
     pretty_exceptions_enable=False,
 )
 program.add_typer(service)
+program.add_typer(keys, name="keys")
 program.add_typer(remote)
 
 

@@ -4,12 +4,12 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Request, Response
 
+from app.access.visibility import StudyId
 from app.analysis.comparison import compare
 from app.analysis.schemas import AnalysisQuery, Comparison, ComparisonQuery, Statistics
 from app.analysis.summary import summarise
 from app.conditional import NOT_CHANGED, respond
 from app.context import ContextDep
-from app.studies.routes import StudyId
 
 router = APIRouter(prefix="/v1/studies/{study_id}", tags=["analysis"])
 

@@ -2,8 +2,9 @@
 
 A turn is a place in a line that all studies of one priority share. A new study begins where the line stands, and its
 n-th case stands n places behind that; so two studies alternate however many cases each has, and a small study does
-not wait for a large one that came before. (This is start-time fair queueing with every case of equal weight. Were it
-to be fair between owners rather than studies, an owner's next study would begin behind the last turn of that owner.)
+not wait for a large one that came before. This is start-time fair queueing with every case of equal weight. Where
+studies have owners (API keys) it is the owners who take turns: an owner's next study begins behind the last turn that
+any study of that owner had, also when those have ended, and one who comes anew goes before all that only wait.
 
 Whoever changes which studies want which cases calls :func:`one_at_a_time` first. Rows of cases are locked in the
 order of their digests, before those of studies.
@@ -37,19 +38,30 @@ def batches(items: Iterable[T]) -> Iterator[list[T]]:
     return (everything[n : n + BATCH] for n in range(0, len(everything), BATCH))
 
 
-def next_turn(session: Session, priority: int) -> int:
-    """Where the line of a priority stands: the turn of its first case or, if none waits, behind those that run."""
+def next_turn(session: Session, priority: int, owner_id: int | None = None) -> int:
+    """Where the line of a priority stands: the turn of its first case or, if none waits, behind those that run. For
+    an owner, with the first that runs or, later, behind all studies of that owner.
+    """
     of_priority = select(Case.turn).where(Case.priority == priority)
-    first = of_priority.where(Case.state == "queued").order_by(Case.turn).limit(1)
-    last = of_priority.where(Case.state == "running").order_by(Case.turn.desc()).limit(1)
-    if (turn := session.scalar(first)) is not None:
-        return turn
-    return 0 if (turn := session.scalar(last)) is None else turn + 1
+    queued = session.scalar(of_priority.where(Case.state == "queued").order_by(Case.turn).limit(1))
+    running = of_priority.where(Case.state == "running")
+    behind = select(func.max(Study.end_turn)).where(Study.priority == priority)
+    if owner_id is None:
+        last = session.scalar(running.order_by(Case.turn.desc()).limit(1))
+        stand = queued if queued is not None else None if last is None else last + 1
+    else:
+        first = session.scalar(running.order_by(Case.turn).limit(1))
+        stand = queued if first is None else first
+    if stand is None:  # nobody is there: on from where the line was, as owners remember their place in it
+        stand = session.scalar(behind) or 0
+    if owner_id is None:
+        return stand
+    return max(stand, session.scalar(behind.where(Study.owner_id == owner_id)) or 0)
 
 
 def lock_cases(session: Session, study_id: str, states: Sequence[CaseState]) -> Sequence[Row[Any]]:
-    """A study's cases in some states, locked, each with the highest priority among other live studies that contain
-    it as ``wanted``; None if there are none.
+    """A study's cases in some states, locked, each with its place in the study and, as ``wanted``, the highest priority
+    among other live studies that contain it; None if there are none.
     """
     wanted = (
         select(func.max(Study.priority))
@@ -59,7 +71,7 @@ def lock_cases(session: Session, study_id: str, states: Sequence[CaseState]) -> 
         .scalar_subquery()
     )
     return session.execute(
-        select(Case.id, Case.state, Case.priority, wanted.label("wanted"))
+        select(Case.id, Case.state, Case.priority, StudyCase.position, wanted.label("wanted"))
         .join(StudyCase, StudyCase.case_id == Case.id)
         .where(StudyCase.study_id == study_id, Case.state.in_(states))
         .order_by(Case.digest)
@@ -67,18 +79,21 @@ def lock_cases(session: Session, study_id: str, states: Sequence[CaseState]) -> 
     ).all()
 
 
-def line_up(session: Session, study_id: str, ids: Iterable[int], priority: int, begin: int) -> None:
-    """Give cases of a study a priority, and turns from one on in the order of the study."""
-    place = select(StudyCase.position).where(StudyCase.study_id == study_id, StudyCase.case_id == Case.id)
-    values = {"priority": priority, "turn": begin + place.scalar_subquery()}
-    for some in batches(ids):
-        session.execute(update(Case).where(Case.id.in_(some)).values(values))
+def line_up(session: Session, cases: Iterable[Row[Any]], priority: int, begin: int) -> int:
+    """Give locked cases a priority, and turns from one on in the order of their study. Returns the turn behind them."""
+    places = [
+        {"id": row.id, "priority": priority, "turn": begin + n}
+        for n, row in enumerate(sorted(cases, key=lambda row: int(row.position)))
+    ]
+    if places:
+        session.execute(update(Case), places)
+    return begin + len(places)
 
 
-def revive(session: Session, ids: Iterable[int]) -> None:
-    """Queue cases that had ended, as if they had never been tried."""
+def revive(session: Session, ids: Iterable[int], charged_to: int | None) -> None:
+    """Queue cases that had ended, as if they had never been tried. They are charged to whose key asks for that."""
     nothing = dict.fromkeys(("error", "processing", "started_at", "finished_at", "worker"))
-    anew = {"state": "queued", "attempt": 0, "progress": 0.0, **nothing}
+    anew = {"state": "queued", "attempt": 0, "progress": 0.0, "charged_to": charged_to, **nothing}
     for some in batches(ids):
         session.execute(update(Case).where(Case.id.in_(some)).values(anew))
 

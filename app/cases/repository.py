@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import Row, insert, select
+from sqlalchemy import Row, insert, select, update
 from sqlalchemy.orm import Session
 
 from app.cases.queue import UNFINISHED, batches, revive
@@ -42,11 +42,15 @@ class Enqueued:
     """Identifier of every case by digest, new or not."""
     reused: int
     """How many are already computed."""
-    to_line_up: list[int]
-    """Cases that existed, and come earlier now or are queued again."""
+    charged: int
+    """How many are computed because of this study."""
+    end: int
+    """The turn behind its last case."""
 
 
-def enqueue(session: Session, rows: dict[str, dict[str, Any]], begin: int, *, keep_history: bool) -> Enqueued:
+def enqueue(
+    session: Session, rows: dict[str, dict[str, Any]], begin: int, *, keep_history: bool, charged_to: int | None
+) -> Enqueued:
     """Queue the cases nobody has asked for before.
 
     Parameters
@@ -59,22 +63,37 @@ def enqueue(session: Session, rows: dict[str, dict[str, Any]], begin: int, *, ke
         Turn of the first.
     keep_history : bool
         Whether a case that was computed without keeping its history is to be computed once more.
+    charged_to : int, optional
+        The key that asks.
     """
     known = {row.digest: row for digests in batches(sorted(rows)) for row in _lock_known(session, digests)}
-    lacking = [row.id for row in known.values() if keep_history and row.state == "succeeded" and row.key is None]
-    revived = [row.id for row in known.values() if row.state == "cancelled"] + lacking
-    revive(session, revived)
-    turns = {digest: begin + n for n, digest in enumerate(rows)}
-    new = [row | {"turn": turns[digest]} for digest, row in rows.items() if digest not in known]
-    inserted = session.execute(insert(Case).returning(Case.digest, Case.id), new).all() if new else []
-    ids = {row.digest: row.id for row in known.values()} | {row.digest: row.id for row in inserted}
-    earlier = [
-        row.id
-        for digest, row in known.items()
-        if row.state in UNFINISHED and (-rows[digest]["priority"], turns[digest]) < (-row.priority, row.turn)
-    ]
-    reused = sum(row.state == "succeeded" for row in known.values()) - len(lacking)
-    return Enqueued(ids, reused, revived + earlier)
+    lacking = {digest for digest, row in known.items() if keep_history and row.state == "succeeded" and row.key is None}
+    revived = lacking | {digest for digest, row in known.items() if row.state == "cancelled"}
+    new = rows.keys() - known.keys()
+    waiting = [digest for digest in rows if digest in new | revived or known[digest].state in UNFINISHED]
+    turns = {digest: begin + n for n, digest in enumerate(waiting)}
+    revive(session, [known[digest].id for digest in revived], charged_to)
+    if places := list(_places(rows, known, revived, turns)):
+        session.execute(update(Case), places)
+    added = [rows[digest] | {"turn": turns[digest], "charged_to": charged_to} for digest in rows if digest in new]
+    inserted = session.execute(insert(Case).returning(Case.digest, Case.id), added).all() if added else []
+    return Enqueued(
+        ids={row.digest: row.id for row in (*known.values(), *inserted)},
+        reused=sum(row.state == "succeeded" for row in known.values()) - len(lacking),
+        charged=len(revived) + len(new),
+        end=begin + len(waiting),
+    )
+
+
+def _places(
+    rows: dict[str, dict[str, Any]], known: dict[str, Row[Any]], revived: set[str], turns: dict[str, int]
+) -> Iterable[dict[str, Any]]:
+    """New places in the queue of cases that exist, where they come earlier now or are queued again."""
+    for digest, turn in turns.items():
+        if (row := known.get(digest)) is not None:
+            priority = rows[digest]["priority"]
+            if digest in revived or (-priority, turn) < (-row.priority, row.turn):
+                yield {"id": row.id, "priority": priority, "turn": turn}
 
 
 def _lock_known(session: Session, digests: list[str]) -> Iterable[Row[Any]]:

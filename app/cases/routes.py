@@ -2,17 +2,15 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
+from app.access.visibility import CaseId, StudyId
 from app.cases import service
 from app.cases.views import CaseDetail, CasePage, CaseQuery
 from app.conditional import NOT_CHANGED, respond
 from app.context import ContextDep
-from app.studies.routes import StudyId
 
 router = APIRouter(prefix="/v1", tags=["cases"])
-
-CaseId = Annotated[int, Path(ge=1, lt=2**63)]
 
 
 @router.get("/studies/{study_id}/cases", response_model=CasePage, responses=NOT_CHANGED)

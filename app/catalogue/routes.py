@@ -2,6 +2,8 @@
 
 from fastapi import APIRouter
 
+from app.access import quotas
+from app.access.caller import CallerDep
 from app.catalogue import service
 from app.catalogue.schemas import Limits, PresetList, QuantityList, SpectrumList, TrackList, VehicleList
 from app.context import ContextDep
@@ -41,6 +43,8 @@ def list_presets() -> PresetList:
 
 
 @router.get("/limits")
-def get_limits(context: ContextDep) -> Limits:
-    """Get how much can be asked for, and the bounds of every number of the model."""
-    return service.limits(context.settings)
+def get_limits(context: ContextDep, caller: CallerDep) -> Limits:
+    """Get how much can be asked for, by this caller too, and the bounds of every number of the model."""
+    with context.database.read() as session:
+        own = quotas.limits(session, context.settings, caller)
+    return service.limits(context.settings, own)

@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, Field
 
+from app.access.schemas import CallerLimits
 from solver.catalogue import Mark
 
 MARK = Field(
@@ -148,6 +149,7 @@ class ParameterInfo(BaseModel):
 class Limits(BaseModel):
     """How much can be asked for."""
 
+    caller: CallerLimits
     max_cases_per_study: int
     max_page_size: int
     max_body_bytes: int

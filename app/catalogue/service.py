@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from app.access.schemas import CallerLimits
 from app.catalogue.schemas import (
     CatalogueValue,
     FieldSource,
@@ -139,9 +140,10 @@ def presets() -> list[PresetInfo]:
     ]
 
 
-def limits(settings: Settings) -> Limits:
+def limits(settings: Settings, caller: CallerLimits) -> Limits:
     """How much can be asked for."""
     return Limits(
+        caller=caller,
         max_cases_per_study=settings.max_cases_per_study,
         max_page_size=settings.max_page_size,
         max_body_bytes=settings.max_body_bytes,

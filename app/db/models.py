@@ -179,6 +179,15 @@ class Profile(Base):
     created_at: Mapped[float] = mapped_column(default=Clock(), index=True)
 
 
+class ProfileKey(Base):
+    """That a key has stored a profile, maybe after another did."""
+
+    __tablename__ = "profile_key"
+
+    profile_id: Mapped[str] = mapped_column(ForeignKey("profile.id", ondelete="CASCADE"), primary_key=True)
+    key_id: Mapped[int] = mapped_column(ForeignKey("api_key.id"), primary_key=True, index=True)
+
+
 class StudyProfile(Base):
     """That a study uses a profile, which therefore stays."""
 

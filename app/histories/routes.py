@@ -6,7 +6,7 @@ from typing import Annotated, BinaryIO
 
 from fastapi import APIRouter, Depends, Query, Request, Response
 
-from app.cases.routes import CaseId
+from app.access.visibility import CaseId
 from app.conditional import NOT_CHANGED, not_changed
 from app.context import ContextDep
 from app.download import PARQUET, RANGES, binary, download

@@ -11,6 +11,7 @@ from typing import Any
 
 from sqlalchemy import Row
 
+from app.access.caller import ANYBODY, Caller
 from app.db.models import Case
 from app.db.session import Database
 from app.peaks import repository
@@ -20,9 +21,11 @@ NAMES = (*COLUMNS, "case_digest")
 ROWS_AT_ONCE = 5000
 
 
-def rows(database: Database, filters: PeakFilters, at_once: int = ROWS_AT_ONCE) -> Iterator[list[Row[Any]]]:
+def rows(
+    database: Database, filters: PeakFilters, caller: Caller = ANYBODY, at_once: int = ROWS_AT_ONCE
+) -> Iterator[list[Row[Any]]]:
     """The peaks with the columns ``NAMES``, some at a time."""
-    statement, order = repository.ordered(filters)
+    statement, order = repository.ordered(filters, caller)
     statement = statement.add_columns(Case.digest.label("case_digest")).execution_options(yield_per=at_once)
     with database.read() as session:
         for part in order.parts(statement):

@@ -8,6 +8,8 @@ from sqlalchemy import ColumnElement, Row, Select, cast, select
 from sqlalchemy.orm import InstrumentedAttribute, Session
 from sqlalchemy.sql.operators import in_op
 
+from app.access import visibility
+from app.access.caller import Caller
 from app.db.models import CONDITIONS, Case, Peak, StudyCase
 from app.pagination import Order, fetch_page
 from app.peaks.schemas import COLUMNS, PeakFilters, PeakQuery
@@ -23,14 +25,17 @@ _EQUAL = (
 )
 
 
-def find_page(session: Session, query: PeakQuery, max_page_size: int) -> tuple[Sequence[Row[Any]], str | None]:
+def find_page(
+    session: Session, query: PeakQuery, max_page_size: int, caller: Caller
+) -> tuple[Sequence[Row[Any]], str | None]:
     """A page of peaks with the conditions of their cases, and the next page's cursor."""
-    statement, order = ordered(query)
+    statement, order = ordered(query, caller)
     return fetch_page(session, statement, query, order, max_page_size)
 
 
-def ordered(filters: PeakFilters) -> tuple[Select[Any], Order]:
-    """The peaks that pass the filters, with the conditions of their cases, and the order they are wanted in.
+def ordered(filters: PeakFilters, caller: Caller) -> tuple[Select[Any], Order]:
+    """The peaks that pass the filters, of cases that the caller sees, with the conditions of their cases, and the order
+    they are wanted in.
 
     What both tables hold is asked of the one whose index gives the order, so that the other is looked up for few rows
     only: of cases in the order of a condition, their peaks one after the other; or of peaks in their own.
@@ -43,6 +48,7 @@ def ordered(filters: PeakFilters) -> tuple[Select[Any], Order]:
         if value is not None:
             plain = not by_case or tested is column
             statement = statement.where(compare(tested if plain else _without_index(tested), value))
+    statement = statement.where(*visibility.cases(caller, Case.id if by_case else Peak.case_id))
     columns = (column, Case.id, Peak.id) if by_case else (column, Peak.id)
     return statement, Order(tuple(dict.fromkeys(columns)), descending=filters.sort.startswith("-"))
 

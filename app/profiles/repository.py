@@ -3,10 +3,12 @@
 import struct
 from collections.abc import Iterable
 
-from sqlalchemy import exists, insert, select
+from sqlalchemy import ColumnElement, delete, exists, insert, select
 from sqlalchemy.orm import Session
 
-from app.db.models import Profile, StudyProfile
+from app.access import visibility
+from app.access.caller import ANYBODY, Caller
+from app.db.models import Profile, ProfileKey, Study, StudyProfile
 from app.problems import invalid
 from solver.case import Case, Irregularity, Measured, Sum
 from solver.railhead import Samples
@@ -18,15 +20,16 @@ def pack(samples: Samples) -> bytes:
     return struct.pack(f"<{2 * len(positions)}d", *positions, *heights)
 
 
-def samples(session: Session, profile_id: str) -> Samples:
+def samples(session: Session, profile_id: str, caller: Caller = ANYBODY) -> Samples:
     """Positions and heights, m.
 
     Raises
     ------
     KeyError
-        If there is no such profile.
+        If there is no such profile, or the caller does not see it.
     """
-    packed = session.scalar(select(Profile.samples).where(Profile.id == profile_id))
+    visible = Profile.id == profile_id, *visibility.profiles(caller)
+    packed = session.scalar(select(Profile.samples).where(*visible))
     if packed is None:
         raise KeyError(profile_id)
     values = struct.unpack(f"<{len(packed) // 8}d", packed)
@@ -58,6 +61,19 @@ def hold(session: Session, study_id: str, profile_ids: list[str]) -> None:
         session.execute(insert(StudyProfile), places)
 
 
-def is_held(session: Session, profile_id: str) -> bool:
-    """Whether a study uses a profile."""
-    return bool(session.scalar(select(exists().where(StudyProfile.profile_id == profile_id))))
+def is_held(session: Session, profile_id: str, *visible: ColumnElement[bool]) -> bool:
+    """Whether a study, or one of the visible ones, uses a profile."""
+    using = select(Study.id).join(StudyProfile).where(StudyProfile.profile_id == profile_id, *visible)
+    return bool(session.scalar(select(exists(using))))
+
+
+def claim(session: Session, profile_id: str, key_id: int | None) -> None:
+    """Let a profile be a key's, too."""
+    if key_id is not None and session.get(ProfileKey, (profile_id, key_id)) is None:
+        session.add(ProfileKey(profile_id=profile_id, key_id=key_id))
+
+
+def disclaim(session: Session, profile_id: str, key_id: int) -> bool:
+    """Let a profile be a key's no longer. Returns whether it is nobody's any more."""
+    session.execute(delete(ProfileKey).where(ProfileKey.profile_id == profile_id, ProfileKey.key_id == key_id))
+    return not session.scalar(select(exists().where(ProfileKey.profile_id == profile_id)))

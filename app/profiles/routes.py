@@ -2,8 +2,10 @@
 
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Depends, Path, Query, Request, Response
+from fastapi import APIRouter, Depends, Query, Request, Response
 
+from app.access.caller import CallerDep
+from app.access.visibility import ProfileId
 from app.conditional import NOT_CHANGED, not_changed
 from app.context import ContextDep
 from app.download import binary
@@ -13,7 +15,6 @@ from app.requests import CSV, csv_text
 
 router = APIRouter(prefix="/v1/profiles", tags=["profiles"])
 
-ProfileId = Annotated[str, Path(pattern="^[0-9a-f]{64}$")]
 # The generated client takes a body of bytes for a file.
 CSV_BODY: dict[str, Any] = {
     "requestBody": {
@@ -26,22 +27,24 @@ CSV_BODY: dict[str, Any] = {
 
 
 @router.post("", status_code=201, openapi_extra=CSV_BODY)
-def create_profile(text: Annotated[str, Depends(csv_text)], context: ContextDep, response: Response) -> ProfileInfo:
+def create_profile(
+    text: Annotated[str, Depends(csv_text)], context: ContextDep, caller: CallerDep, response: Response
+) -> ProfileInfo:
     """Store a measured profile: CSV in UTF-8, a line per point, position along the track and height, positive
     downwards. A first line may name the units, m or mm, column by column (`x_m,eta_mm`); without, both are in m. Empty
     lines and those that begin with `#` are skipped. Positions increase. Wrong lines are named as `/line/N`. The same
     samples are stored once.
     """
-    profile = service.create(context, text)
+    profile = service.create(context, text, caller)
     response.headers["Location"] = f"/v1/profiles/{profile.id}"
     return profile
 
 
 @router.get("")
-def list_profiles(query: Annotated[ProfileQuery, Query()], context: ContextDep) -> ProfilePage:
+def list_profiles(query: Annotated[ProfileQuery, Query()], context: ContextDep, caller: CallerDep) -> ProfilePage:
     """List stored profiles, the newest first unless sorted otherwise."""
     with context.database.read() as session:
-        return service.list_page(session, query, context.settings.max_page_size)
+        return service.list_page(session, query, context.settings.max_page_size, caller)
 
 
 @router.get("/{profile_id}")
@@ -65,6 +68,6 @@ def download_profile(profile_id: ProfileId, context: ContextDep, request: Reques
 
 
 @router.delete("/{profile_id}", status_code=204, responses={409: {"description": "A study uses it"}})
-def delete_profile(profile_id: ProfileId, context: ContextDep) -> None:
+def delete_profile(profile_id: ProfileId, context: ContextDep, caller: CallerDep) -> None:
     """Delete a profile that no study uses."""
-    service.remove(context, profile_id)
+    service.remove(context, profile_id, caller)

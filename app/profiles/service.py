@@ -3,6 +3,8 @@
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from app.access import visibility
+from app.access.caller import Caller
 from app.cases.irregularities import whole_band
 from app.cases.queue import one_at_a_time
 from app.context import Context
@@ -18,7 +20,7 @@ from solver.railhead import MIN_POINTS, Samples, profile_digest
 HEADER = "x_m,eta_m"
 
 
-def create(context: Context, text: str) -> ProfileInfo:
+def create(context: Context, text: str, caller: Caller) -> ProfileInfo:
     """Store a profile, or find the one with the same samples.
 
     Raises
@@ -34,6 +36,7 @@ def create(context: Context, text: str) -> ProfileInfo:
         if known is None:
             session.add(profile)
             session.flush()
+        repository.claim(session, profile.id, caller.key_id)
         return ProfileInfo.model_validate(known or profile)
 
 
@@ -91,15 +94,15 @@ def csv(session: Session, profile_id: str) -> bytes:
     return "\n".join([HEADER, *rows, ""]).encode()
 
 
-def list_page(session: Session, query: ProfileQuery, max_page_size: int) -> ProfilePage:
-    """A page of profiles."""
+def list_page(session: Session, query: ProfileQuery, max_page_size: int, caller: Caller) -> ProfilePage:
+    """A page of the profiles that the caller sees."""
     order = Order((Profile.created_at, Profile.id), descending=query.sort.startswith("-"))
-    rows, cursor = fetch_page(session, select(Profile), query, order, max_page_size)
+    rows, cursor = fetch_page(session, select(Profile).where(*visibility.profiles(caller)), query, order, max_page_size)
     return ProfilePage(items=[ProfileInfo.model_validate(row.Profile) for row in rows], next_cursor=cursor)
 
 
-def remove(context: Context, profile_id: str) -> None:
-    """Delete a profile that no study uses.
+def remove(context: Context, profile_id: str, caller: Caller) -> None:
+    """Delete a profile that no study uses. One that others have stored or use too is only forgotten for the caller.
 
     Raises
     ------
@@ -109,9 +112,11 @@ def remove(context: Context, profile_id: str) -> None:
     with context.database.write() as session:
         one_at_a_time(session)
         profile = _find(session, profile_id)
-        if repository.is_held(session, profile_id):
+        if repository.is_held(session, profile_id, *visibility.studies(caller)):
             raise Problem(409, "A study uses the profile. Delete the study first.", code="profile-in-use")
-        session.delete(profile)
+        nobodys = caller.key_id is None or repository.disclaim(session, profile_id, caller.key_id)
+        if nobodys and not repository.is_held(session, profile_id):
+            session.delete(profile)
 
 
 def _find(session: Session, profile_id: str) -> Profile:

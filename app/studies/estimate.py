@@ -7,6 +7,7 @@ from pydantic import BaseModel, Field
 from sqlalchemy import Row, select
 from sqlalchemy.orm import Session
 
+from app.access.caller import ANYBODY, Caller
 from app.cases.queue import UNFINISHED, batches, next_turn
 from app.cases.repository import work
 from app.context import Context
@@ -52,7 +53,7 @@ class StudyEstimate(BaseModel):
     warnings: list[Caveat]
 
 
-def estimate(context: Context, request: StudyRequest) -> StudyEstimate:
+def estimate(context: Context, request: StudyRequest, caller: Caller = ANYBODY) -> StudyEstimate:
     """What a study would take if it were created now. Nothing is stored.
 
     Raises
@@ -60,7 +61,7 @@ def estimate(context: Context, request: StudyRequest) -> StudyEstimate:
     Problem
         As creating it would.
     """
-    cases = service.expand(context, request)
+    cases = service.expand(context, request, caller)
     by_digest = {case.digest(): case for case in cases}
     with context.database.read() as session:
         known = {row.digest: row for row in _known(session, by_digest)}
@@ -77,7 +78,7 @@ def estimate(context: Context, request: StudyRequest) -> StudyEstimate:
             new=len(new),
         )
         own, basis = forecast.cpu_s(session, [_load(by_digest[digest]) for digest in new])
-        end = next_turn(session, request.priority) + len(by_digest)
+        end = next_turn(session, request.priority, caller.key_id) + len(by_digest)
         before, _ = forecast.cpu_s(session, forecast.before_turn(session, request.priority, end))
         shared = [row.digest for row in known.values() if row.state == "queued" and _later(row, request.priority, end)]
         forward, _ = forecast.cpu_s(session, [_load(by_digest[digest]) for digest in shared])

@@ -12,6 +12,8 @@ from sqlalchemy import Row, delete, exists, select
 from sqlalchemy.orm import Session
 
 from app import events
+from app.access import quotas
+from app.access.caller import ANYBODY, Caller
 from app.cases import queue
 from app.context import Context
 from app.db.models import Case, History, Study, StudyCase
@@ -45,7 +47,7 @@ def update(context: Context, study_id: str, patch: StudyPatch, check: Callable[[
             raise invalid("/labels", "too-many-labels", detail)
         if "priority" in changes and study.cancel_requested_at is None:
             cases = queue.lock_cases(session, study_id, queue.UNFINISHED)
-            _move(session, study_id, cases, changes["priority"])
+            _move(session, study, cases, changes["priority"])
         for name, value in changes.items():
             setattr(study, name, value)
         session.flush()
@@ -68,14 +70,14 @@ def cancel(context: Context, study_id: str) -> StudyDetail:
         study = _find(session, study_id)
         if study.cancel_requested_at is None and (cases := queue.lock_cases(session, study_id, queue.UNFINISHED)):
             queue.call_off(session, [row.id for row in cases if row.wanted is None])
-            _move(session, study_id, [row for row in cases if row.wanted is not None], None)
+            _move(session, study, [row for row in cases if row.wanted is not None], None)
             study.cancel_requested_at = study.finished_at = Clock()
             session.flush()  # locks the study, before its events
             events.record(session, study_id, "done", {"state": events.state_now(session, study_id)})
         return service.get(session, study_id)
 
 
-def retry(context: Context, study_id: str) -> StudyDetail:
+def retry(context: Context, study_id: str, caller: Caller = ANYBODY) -> StudyDetail:
     """Queue the failed and cancelled cases of a study once more; it is live again if it was cancelled.
 
     A failed case is tried again for every study that contains it.
@@ -83,17 +85,18 @@ def retry(context: Context, study_id: str) -> StudyDetail:
     Raises
     ------
     Problem
-        404 if there is no such study.
+        404 if there is no such study, 429 if the caller's quota is used up.
     """
     with context.database.write() as session:
         study = _find(session, study_id)
         cases = queue.lock_cases(session, study_id, (*queue.UNFINISHED, "failed", "cancelled"))
-        ended = [row.id for row in cases if row.state not in queue.UNFINISHED]
+        ended = [row for row in cases if row.state not in queue.UNFINISHED]
         if ended or study.cancel_requested_at is not None:
-            queue.revive(session, ended)
-            begin = queue.next_turn(session, study.priority)
-            queue.line_up(session, study_id, ended, study.priority, begin)
-            _move(session, study_id, [row for row in cases if row.state in queue.UNFINISHED], study.priority)
+            queue.revive(session, [row.id for row in ended], caller.key_id)
+            if ended:
+                quotas.check(session, caller)
+            _line_up(session, study, ended, study.priority)
+            _move(session, study, [row for row in cases if row.state in queue.UNFINISHED], study.priority)
             study.cancel_requested_at = study.finished_at = None
             session.flush()  # locks the study, before its events
             events.state_now(session, study_id)
@@ -140,12 +143,19 @@ def _find(session: Session, study_id: str) -> Study:
     return study
 
 
-def _move(session: Session, study_id: str, cases: Sequence[Row[Any]], priority: int | None) -> None:
+def _move(session: Session, study: Study, cases: Sequence[Row[Any]], priority: int | None) -> None:
     """Let unfinished cases have the highest priority among the studies that want them, this one's being as given."""
-    targets: dict[int, list[int]] = defaultdict(list)
+    targets: dict[int, list[Row[Any]]] = defaultdict(list)
     for row in cases:
         target = max(each for each in (priority, row.wanted) if each is not None)
         if target != row.priority:
-            targets[target].append(row.id)
-    for target, ids in targets.items():
-        queue.line_up(session, study_id, ids, target, queue.next_turn(session, target))
+            targets[target].append(row)
+    for target, rows in targets.items():
+        if target == priority:
+            _line_up(session, study, rows, target)
+        else:  # for the sake of others
+            queue.line_up(session, rows, target, queue.next_turn(session, target))
+
+
+def _line_up(session: Session, study: Study, cases: Sequence[Row[Any]], priority: int) -> None:
+    study.end_turn = queue.line_up(session, cases, priority, queue.next_turn(session, priority, study.owner_id))

@@ -53,9 +53,11 @@ def find(session: Session, study_id: str) -> Row[Any] | None:
     return session.execute(overview(StudyCase.study_id == study_id)).one_or_none()
 
 
-def find_page(session: Session, query: StudyQuery, max_page_size: int) -> tuple[Sequence[Row[Any]], str | None]:
-    """The overviews of a page of studies, and the next page's cursor."""
-    chosen = select(Study.id)
+def find_page(
+    session: Session, query: StudyQuery, max_page_size: int, *visible: ColumnElement[bool]
+) -> tuple[Sequence[Row[Any]], str | None]:
+    """The overviews of a page of visible studies, and the next page's cursor."""
+    chosen = select(Study.id).where(*visible)
     if query.created_after is not None:
         chosen = chosen.where(Study.created_at > query.created_after.timestamp())
     if query.name is not None:

@@ -2,8 +2,10 @@
 
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Header, Path, Query, Request, Response
+from fastapi import APIRouter, Header, Query, Request, Response
 
+from app.access.caller import CallerDep
+from app.access.visibility import StudyId
 from app.conditional import CONDITIONAL_CHANGE, IfMatchHeader, check_match, edition, respond
 from app.context import ContextDep
 from app.idempotency import IdempotencyKeyHeader
@@ -23,30 +25,34 @@ stream that was cut goes on. `progress`: state, progress, cases and finish of th
     "content": {"text/event-stream": {"schema": {"type": "string"}}},
 }
 
-StudyId = Annotated[str, Path(pattern="^[0-9a-f]{32}$")]
-
 
 @estimates.post("")
-def estimate_study(study: StudyRequest, context: ContextDep) -> StudyEstimate:
-    """Estimate what a study would take, and what to beware of, without creating it."""
-    return estimate(context, study)
+def estimate_study(study: StudyRequest, context: ContextDep, caller: CallerDep) -> StudyEstimate:
+    """Estimate what a study would take, and what to beware of, without creating it. Whoever asked for a case before,
+    it counts as computed or in flight.
+    """
+    return estimate(context, study, caller)
 
 
 @router.post("", status_code=201)
 def create_study(
-    study: StudyRequest, context: ContextDep, response: Response, key: IdempotencyKeyHeader = None
+    study: StudyRequest,
+    context: ContextDep,
+    caller: CallerDep,
+    response: Response,
+    key: IdempotencyKeyHeader = None,
 ) -> StudyDetail:
     """Accept a study and queue its cases. Cases that any study had before are not computed again."""
-    created = service.create(context, study, key)
+    created = service.create(context, study, key, caller)
     response.headers["Location"] = f"/v1/studies/{created.id}"
     return created
 
 
 @router.get("")
-def list_studies(query: Annotated[StudyQuery, Query()], context: ContextDep) -> StudyPage:
+def list_studies(query: Annotated[StudyQuery, Query()], context: ContextDep, caller: CallerDep) -> StudyPage:
     """List studies, the newest first unless sorted otherwise."""
     with context.database.read() as session:
-        return service.list_page(session, query, context.settings.max_page_size)
+        return service.list_page(session, query, context.settings.max_page_size, caller)
 
 
 @router.get("/{study_id}", response_model=StudyDetail, responses={304: {"description": "Not changed"}})
@@ -59,9 +65,15 @@ def get_study(study_id: StudyId, context: ContextDep, request: Request) -> Respo
 
 @router.patch("/{study_id}", response_model=StudyDetail, responses=CONDITIONAL_CHANGE)
 def update_study(
-    study_id: StudyId, patch: StudyPatch, context: ContextDep, request: Request, if_match: IfMatchHeader = None
+    study_id: StudyId,
+    patch: StudyPatch,
+    context: ContextDep,
+    caller: CallerDep,
+    request: Request,
+    if_match: IfMatchHeader = None,
 ) -> Response:
     """Change a study's name, labels or priority. A case of several studies has the highest of their priorities."""
+    service.check_priority(caller, patch.priority)
     study = lifecycle.update(context, study_id, patch, lambda current: check_match(if_match, _edition(current)))
     return _respond(request, study)
 
@@ -73,9 +85,9 @@ def cancel_study(study_id: StudyId, context: ContextDep) -> StudyDetail:
 
 
 @router.post("/{study_id}/retry")
-def retry_study(study_id: StudyId, context: ContextDep) -> StudyDetail:
+def retry_study(study_id: StudyId, context: ContextDep, caller: CallerDep) -> StudyDetail:
     """Queue the failed and cancelled cases of a study once more. Where there are none, nothing changes."""
-    return lifecycle.retry(context, study_id)
+    return lifecycle.retry(context, study_id, caller)
 
 
 @router.delete("/{study_id}", status_code=204, responses={409: {"description": "Not ended yet"}})

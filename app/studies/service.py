@@ -9,6 +9,8 @@ from sqlalchemy import Row, insert
 from sqlalchemy.orm import Session
 
 from app import events, idempotency
+from app.access import quotas, visibility
+from app.access.caller import ANYBODY, Caller, forbidden
 from app.cases import queue
 from app.cases.repository import enqueue, row_of
 from app.context import Context
@@ -29,22 +31,25 @@ from app.studies.sweep import ContradictionError
 from solver.case import Case
 
 
-def create(context: Context, request: StudyRequest, key: str | None) -> StudyDetail:
+def create(context: Context, request: StudyRequest, key: str | None, caller: Caller = ANYBODY) -> StudyDetail:
     """Accept a study: store it, queue its cases, wake a worker.
 
     Raises
     ------
     Problem
-        422 if the study is too large, its values contradict each other, or the key belongs to another request.
+        422 if the study is too large, its values contradict each other, or the key belongs to another request; 429 if
+        the caller's quota is used up.
     """
-    cases = expand(context, request)
+    check_priority(caller, request.priority)
+    cases = expand(context, request, caller)
+    key = key and idempotency.key_of(caller.key_id, key)
     rows = {row["digest"]: row for row in (row_of(case, request.priority) for case in cases)}
     digest = hashlib.sha256(request.model_dump_json().encode()).hexdigest()
     with context.database.write() as session:
         queue.one_at_a_time(session)
         if key is not None and (answer := idempotency.recall(session, key, digest)) is not None:
             return StudyDetail.model_validate(answer)
-        study = get(session, _store(session, request, rows))
+        study = get(session, _store(session, request, rows, caller))
         profiles.hold(session, study.id, profiles.used_by(cases))
         if key is not None:
             idempotency.remember(session, key, digest, study.model_dump(mode="json"))
@@ -53,7 +58,19 @@ def create(context: Context, request: StudyRequest, key: str | None) -> StudyDet
     return study
 
 
-def expand(context: Context, request: StudyRequest) -> list[Case]:
+def check_priority(caller: Caller, priority: int | None) -> None:
+    """Let only administrators put their studies before those of others.
+
+    Raises
+    ------
+    Problem
+        403.
+    """
+    if priority is not None and priority > 0 and not caller.is_admin:
+        raise forbidden("A priority above 0 takes a key of scope admin.", "priority-needs-admin")
+
+
+def expand(context: Context, request: StudyRequest, caller: Caller = ANYBODY) -> list[Case]:
     """The cases of a study, counted before they are made.
 
     Raises
@@ -67,7 +84,7 @@ def expand(context: Context, request: StudyRequest) -> list[Case]:
         raise Problem(422, detail, code="max-cases-per-study", errors=[error])
     try:
         with context.database.read() as session:
-            return request.expand(cache(partial(profiles.samples, session)))
+            return request.expand(cache(partial(profiles.samples, session, caller=caller)))
     except ContradictionError as error:
         raise invalid(error.pointer, "contradiction", error.detail) from None
 
@@ -87,17 +104,21 @@ def get(session: Session, study_id: str) -> StudyDetail:
     return StudyDetail.model_validate(_summary(row) | {"finish": _finish(session, row), "definition": definition})
 
 
-def list_page(session: Session, query: StudyQuery, max_page_size: int) -> StudyPage:
-    """A page of studies."""
-    rows, cursor = repository.find_page(session, query, max_page_size)
+def list_page(session: Session, query: StudyQuery, max_page_size: int, caller: Caller) -> StudyPage:
+    """A page of the studies that the caller sees."""
+    rows, cursor = repository.find_page(session, query, max_page_size, *visibility.studies(caller))
     return StudyPage(items=[StudySummary.model_validate(_summary(row)) for row in rows], next_cursor=cursor)
 
 
-def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, Any]]) -> str:
-    begin = queue.next_turn(session, request.priority)
-    enqueued = enqueue(session, rows, begin, keep_history=request.keep_history)
+def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, Any]], caller: Caller) -> str:
+    begin = queue.next_turn(session, request.priority, caller.key_id)
+    enqueued = enqueue(session, rows, begin, keep_history=request.keep_history, charged_to=caller.key_id)
+    if enqueued.charged:
+        quotas.check(session, caller)
     study = Study(
         id=uuid4().hex,
+        owner_id=caller.key_id,
+        end_turn=enqueued.end,
         name=request.name,
         labels=request.labels,
         priority=request.priority,
@@ -110,7 +131,6 @@ def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, An
     events.record(session, study.id, "state", {"state": "queued"})
     places = [{"study_id": study.id, "case_id": enqueued.ids[digest], "position": n} for n, digest in enumerate(rows)]
     session.execute(insert(StudyCase), places)
-    queue.line_up(session, study.id, enqueued.to_line_up, request.priority, begin)
     events.finish_if_done(session, study.id)
     return study.id
 

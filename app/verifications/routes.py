@@ -2,7 +2,8 @@
 
 from fastapi import APIRouter
 
-from app.cases.routes import CaseId
+from app.access.caller import CallerDep
+from app.access.visibility import CaseId
 from app.context import ContextDep
 from app.verifications import service
 from app.verifications.schemas import VerificationDetail
@@ -11,9 +12,9 @@ router = APIRouter(prefix="/v1/cases/{case_id}/verification", tags=["cases"])
 
 
 @router.post("", status_code=202, responses={409: {"description": "Not computed"}})
-def verify_case(case_id: CaseId, context: ContextDep) -> VerificationDetail:
+def verify_case(case_id: CaseId, context: ContextDep, caller: CallerDep) -> VerificationDetail:
     """Let a stored case be computed once more, when no queued case waits, to see whether it gives the same numbers."""
-    return service.request(context, case_id)
+    return service.request(context, case_id, caller)
 
 
 @router.get("")

@@ -3,6 +3,8 @@
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from app.access import quotas
+from app.access.caller import ANYBODY, Caller
 from app.cases import queue
 from app.context import Context
 from app.db.models import Case, Verification
@@ -10,13 +12,13 @@ from app.problems import Problem, not_found
 from app.verifications.schemas import VerificationDetail
 
 
-def request(context: Context, case_id: int) -> VerificationDetail:
+def request(context: Context, case_id: int, caller: Caller = ANYBODY) -> VerificationDetail:
     """Queue a verification of a case, unless one is on its way.
 
     Raises
     ------
     Problem
-        404 if there is no such case, 409 if it has no result to be verified.
+        404 if there is no such case, 409 if it has no result to be verified, 429 if the caller's quota is used up.
     """
     with context.database.write() as session:
         queue.one_at_a_time(session)
@@ -27,6 +29,7 @@ def request(context: Context, case_id: int) -> VerificationDetail:
             raise Problem(409, f"The case is {case.state}: there is nothing to verify.", code="case-not-succeeded")
         latest = _latest(session, case_id)
         if latest is None or latest.state not in queue.UNFINISHED:
+            quotas.check(session, caller)
             latest = Verification(case_id=case_id)
             session.add(latest)
             session.flush()

@@ -1,10 +1,10 @@
-"""API keys, whose a study is and with whom it is shared, and to whom a case is charged."""
+"""API keys, who owns a study or profile and sees it, and to whom a case is charged."""
 
 import sqlalchemy as sa
 from alembic import op
 
 revision = "0007"
-down_revision = "0006"
+down_revision = "0004"
 branch_labels = None
 depends_on = None
 
@@ -43,6 +43,17 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("study_id", "key_id", name=op.f("pk_study_share")),
     )
     op.create_index("ix_study_share_key_id", "study_share", ["key_id"])
+    op.create_table(
+        "profile_key",
+        sa.Column("profile_id", sa.String(length=64), nullable=False),
+        sa.Column("key_id", BIG_KEY, nullable=False),
+        sa.ForeignKeyConstraint(["key_id"], ["api_key.id"], name=op.f("fk_profile_key_key_id_api_key")),
+        sa.ForeignKeyConstraint(
+            ["profile_id"], ["profile.id"], name=op.f("fk_profile_key_profile_id_profile"), ondelete="CASCADE"
+        ),
+        sa.PrimaryKeyConstraint("profile_id", "key_id", name=op.f("pk_profile_key")),
+    )
+    op.create_index("ix_profile_key_key_id", "profile_key", ["key_id"])
     op.add_column("case", sa.Column("charged_to", BIG_KEY, nullable=True))
     op.create_index("ix_case_charged", "case", ["charged_to", "finished_at"])
 
@@ -51,6 +62,7 @@ def downgrade() -> None:
     """Take back."""
     op.drop_index("ix_case_charged", "case")
     op.drop_column("case", "charged_to")
+    op.drop_table("profile_key")
     op.drop_table("study_share")
     with op.batch_alter_table("study") as study:
         study.drop_index("ix_study_owner_id")
