@@ -73,7 +73,7 @@ def claim(session: Session, profile_id: str, key_id: int | None) -> None:
         session.add(ProfileKey(profile_id=profile_id, key_id=key_id))
 
 
-def disclaim(session: Session, profile_id: str, key_id: int) -> bool:
+def disclaim(session: Session, profile_id: str, key_id: int | None) -> bool:
     """Let a profile be a key's no longer. Returns whether it is nobody's any more."""
     session.execute(delete(ProfileKey).where(ProfileKey.profile_id == profile_id, ProfileKey.key_id == key_id))
     return not session.scalar(select(exists().where(ProfileKey.profile_id == profile_id)))

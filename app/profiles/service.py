@@ -114,7 +114,7 @@ def remove(context: Context, profile_id: str, caller: Caller) -> None:
         profile = _find(session, profile_id)
         if repository.is_held(session, profile_id, *visibility.studies(caller)):
             raise Problem(409, "A study uses the profile. Delete the study first.", code="profile-in-use")
-        nobodys = caller.key_id is None or repository.disclaim(session, profile_id, caller.key_id)
+        nobodys = caller.is_admin or repository.disclaim(session, profile_id, caller.key_id)
         if nobodys and not repository.is_held(session, profile_id):
             session.delete(profile)
 
