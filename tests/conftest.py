@@ -3,9 +3,11 @@
 import itertools
 import os
 import shutil
+import socket
 import subprocess
 import tempfile
 from collections.abc import Iterator
+from contextlib import closing, suppress
 from importlib import metadata
 from pathlib import Path
 
@@ -121,3 +123,18 @@ def broker_url() -> Iterator[str]:
                 assert server.poll() is None
             yield f"redis+socket://{socket}"
             server.terminate()
+
+
+@pytest.fixture
+def broker_tcp() -> Iterator[str]:
+    """A broker that other machines could reach."""
+    with closing(socket.create_server(("127.0.0.1", 0))) as free:
+        port = free.getsockname()[1]
+    options = ["--port", str(port), "--bind", "127.0.0.1", "--save", ""]
+    with subprocess.Popen([__valkey_executable__, *options], stdout=subprocess.DEVNULL) as server:
+        while True:
+            assert server.poll() is None
+            with suppress(OSError), socket.create_connection(("127.0.0.1", port)):
+                break
+        yield f"redis://127.0.0.1:{port}/0"
+        server.terminate()

@@ -47,7 +47,7 @@ async def identify(request: Request, context: ContextDep) -> Caller:
     """
     policy: Policy = "reads" if request.method == "GET" else "writes"
     sent = _sent_key(request)
-    caller = await to_thread.run_sync(_of_key, context, sent) if sent else ANYBODY
+    caller = await to_thread.run_sync(_of_key, context, sent) if sent is not None else ANYBODY
     address = request.client.host if request.client else ""
     who = address if caller is None or caller.key_id is None else f"key {caller.key_id}"
     if (rate := await _count(request.app.state.rates, policy, who)) is not None:
