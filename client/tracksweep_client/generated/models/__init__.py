@@ -1,6 +1,8 @@
 """Contains all the data models used in inputs/outputs"""
 
 from .band import Band
+from .caller_limits import CallerLimits
+from .caller_limits_scope import CallerLimitsScope
 from .case_counts import CaseCounts
 from .case_detail import CaseDetail
 from .case_detail_inputs import CaseDetailInputs
@@ -73,6 +75,8 @@ from .quantity_list import QuantityList
 from .rational_spectrum import RationalSpectrum
 from .rational_spectrum_per import RationalSpectrumPer
 from .rational_spectrum_sides import RationalSpectrumSides
+from .share import Share
+from .share_list import ShareList
 from .single_dip import SingleDip
 from .smooth_rail import SmoothRail
 from .spectrum_info import SpectrumInfo
@@ -126,6 +130,8 @@ from .zip_sweep_slab_item import ZipSweepSlabItem
 
 __all__ = (
     "Band",
+    "CallerLimits",
+    "CallerLimitsScope",
     "CaseCounts",
     "CaseDetail",
     "CaseDetailInputs",
@@ -198,6 +204,8 @@ __all__ = (
     "RationalSpectrum",
     "RationalSpectrumPer",
     "RationalSpectrumSides",
+    "Share",
+    "ShareList",
     "SingleDip",
     "SmoothRail",
     "SpectrumInfo",

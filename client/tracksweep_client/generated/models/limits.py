@@ -7,6 +7,7 @@ from attrs import define as _attrs_define
 from attrs import field as _attrs_field
 
 if TYPE_CHECKING:
+    from ..models.caller_limits import CallerLimits
     from ..models.parameter_info import ParameterInfo
 
 
@@ -18,6 +19,7 @@ class Limits:
     """How much can be asked for.
 
     Attributes:
+        caller (CallerLimits): What the caller may do, and has left of it.
         max_cases_per_study (int):
         max_page_size (int):
         max_body_bytes (int):
@@ -29,6 +31,7 @@ class Limits:
         parameters (list[ParameterInfo]):
     """
 
+    caller: CallerLimits
     max_cases_per_study: int
     max_page_size: int
     max_body_bytes: int
@@ -41,6 +44,8 @@ class Limits:
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
+        caller = self.caller.to_dict()
+
         max_cases_per_study = self.max_cases_per_study
 
         max_page_size = self.max_page_size
@@ -66,6 +71,7 @@ class Limits:
         field_dict.update(self.additional_properties)
         field_dict.update(
             {
+                "caller": caller,
                 "max_cases_per_study": max_cases_per_study,
                 "max_page_size": max_page_size,
                 "max_body_bytes": max_body_bytes,
@@ -82,9 +88,12 @@ class Limits:
 
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.caller_limits import CallerLimits  # noqa: PLC0415
         from ..models.parameter_info import ParameterInfo  # noqa: PLC0415
 
         d = dict(src_dict)
+        caller = CallerLimits.from_dict(d.pop("caller"))
+
         max_cases_per_study = d.pop("max_cases_per_study")
 
         max_page_size = d.pop("max_page_size")
@@ -109,6 +118,7 @@ class Limits:
             parameters.append(parameters_item)
 
         limits = cls(
+            caller=caller,
             max_cases_per_study=max_cases_per_study,
             max_page_size=max_page_size,
             max_body_bytes=max_body_bytes,

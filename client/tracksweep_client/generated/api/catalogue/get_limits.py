@@ -28,10 +28,25 @@ def _parse_response(
 
         return response_200
 
+    if response.status_code == 401:
+        response_401 = ProblemDetails.from_dict(response.json())
+
+        return response_401
+
+    if response.status_code == 403:
+        response_403 = ProblemDetails.from_dict(response.json())
+
+        return response_403
+
     if response.status_code == 422:
         response_422 = ProblemDetails.from_dict(response.json())
 
         return response_422
+
+    if response.status_code == 429:
+        response_429 = ProblemDetails.from_dict(response.json())
+
+        return response_429
 
     if response.status_code == 503:
         response_503 = ProblemDetails.from_dict(response.json())
@@ -61,7 +76,7 @@ def sync_detailed(
 ) -> Response[Limits | ProblemDetails]:
     """Get Limits
 
-     Get how much can be asked for, and the bounds of every number of the model.
+     Get how much can be asked for, by this caller too, and the bounds of every number of the model.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -86,7 +101,7 @@ def sync(
 ) -> Limits | ProblemDetails | None:
     """Get Limits
 
-     Get how much can be asked for, and the bounds of every number of the model.
+     Get how much can be asked for, by this caller too, and the bounds of every number of the model.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -107,7 +122,7 @@ async def asyncio_detailed(
 ) -> Response[Limits | ProblemDetails]:
     """Get Limits
 
-     Get how much can be asked for, and the bounds of every number of the model.
+     Get how much can be asked for, by this caller too, and the bounds of every number of the model.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -130,7 +145,7 @@ async def asyncio(
 ) -> Limits | ProblemDetails | None:
     """Get Limits
 
-     Get how much can be asked for, and the bounds of every number of the model.
+     Get how much can be asked for, by this caller too, and the bounds of every number of the model.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

@@ -43,6 +43,16 @@ def _parse_response(
 
         return response_400
 
+    if response.status_code == 401:
+        response_401 = ProblemDetails.from_dict(response.json())
+
+        return response_401
+
+    if response.status_code == 403:
+        response_403 = ProblemDetails.from_dict(response.json())
+
+        return response_403
+
     if response.status_code == 413:
         response_413 = ProblemDetails.from_dict(response.json())
 
@@ -57,6 +67,11 @@ def _parse_response(
         response_422 = ProblemDetails.from_dict(response.json())
 
         return response_422
+
+    if response.status_code == 429:
+        response_429 = ProblemDetails.from_dict(response.json())
+
+        return response_429
 
     if response.status_code == 503:
         response_503 = ProblemDetails.from_dict(response.json())
@@ -87,7 +102,9 @@ def sync_detailed(
 ) -> Response[ProblemDetails | StudyEstimate]:
     """Estimate Study
 
-     Estimate what a study would take, and what to beware of, without creating it.
+     Estimate what a study would take, and what to beware of, without creating it. Whoever asked for a
+    case before,
+    it counts as computed or in flight.
 
     Args:
         body (StudyRequest): A parametric study: a sweep of one model.
@@ -118,7 +135,9 @@ def sync(
 ) -> ProblemDetails | StudyEstimate | None:
     """Estimate Study
 
-     Estimate what a study would take, and what to beware of, without creating it.
+     Estimate what a study would take, and what to beware of, without creating it. Whoever asked for a
+    case before,
+    it counts as computed or in flight.
 
     Args:
         body (StudyRequest): A parametric study: a sweep of one model.
@@ -144,7 +163,9 @@ async def asyncio_detailed(
 ) -> Response[ProblemDetails | StudyEstimate]:
     """Estimate Study
 
-     Estimate what a study would take, and what to beware of, without creating it.
+     Estimate what a study would take, and what to beware of, without creating it. Whoever asked for a
+    case before,
+    it counts as computed or in flight.
 
     Args:
         body (StudyRequest): A parametric study: a sweep of one model.
@@ -173,7 +194,9 @@ async def asyncio(
 ) -> ProblemDetails | StudyEstimate | None:
     """Estimate Study
 
-     Estimate what a study would take, and what to beware of, without creating it.
+     Estimate what a study would take, and what to beware of, without creating it. Whoever asked for a
+    case before,
+    it counts as computed or in flight.
 
     Args:
         body (StudyRequest): A parametric study: a sweep of one model.
