@@ -1,5 +1,6 @@
 """What the bell sets off."""
 
+import os
 import threading
 from functools import cache
 from typing import Any
@@ -12,6 +13,8 @@ from solver.warm import warm
 from worker.celery import SETTINGS, app
 from worker.compute import Worker
 from worker.sweeper import Sweeper
+
+POLITENESS = 10  # where a machine is shared, requests are answered first
 
 stopping = threading.Event()
 
@@ -30,6 +33,7 @@ def work() -> None:
 
 @worker_init.connect  # type: ignore[untyped-decorator]  # as above
 def _prepare(**_: Any) -> None:
+    os.nice(POLITENESS)
     warm()  # before this worker says that it is there: no case waits for a compiler
 
 

@@ -1,0 +1,140 @@
+"""How quickly the API answers while both workers compute, and what a study of ten thousand cases takes.
+
+python -m benchmarks.load [--clients N] [--turns N] [--pause S]
+"""
+
+import argparse
+import time
+from collections import defaultdict
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import httpx
+import numpy as np
+import psutil
+
+from benchmarks.results import Result, publish
+from benchmarks.served import served, submit
+from benchmarks.service import study
+
+BUSY = study(64, {"settle_s": 0.5, "window_s": 3.0})
+CASES = 100  # of every study that a client creates
+LARGE = 10_000
+
+HOW = """`tracksweep serve` with two workers, both computing all the time. {clients} clients at once take {turns} turns
+each: in every turn they list studies and peaks, get a study, its cases and one case, and in every fifth they create a
+study of {cases} new cases. Between two requests a client thinks for {pause:g} s on average. Milliseconds are from
+request to answer, over one connection per client.
+
+A study of {large} cases is then created, listed page by page, exported and deleted, still beside the workers;
+*largest* is the largest resident size of the API's process after each, in MB."""
+
+
+def harmonic(cases: int, salt: float) -> dict[str, Any]:
+    """A study of as many cases that nobody has asked for before."""
+    amplitudes = [round(1e-4 + 1e-6 * n + salt, 12) for n in range(cases)]
+    irregularity = {"kind": "harmonic", "wavelength_m": [1.0], "amplitude_mm": amplitudes}
+    sweep = {"kind": "product", "speed_kmh": [300], "irregularity": irregularity}
+    return {"name": f"{cases} cases", "sweep": sweep, "priority": -1}
+
+
+def ask(url: str, study_id: str, client: int, turns: int, pause: float) -> dict[str, list[float]]:
+    """Take a client's turns; seconds by operation."""
+    rng = np.random.default_rng(client)
+    seconds: dict[str, list[float]] = defaultdict(list)
+    with httpx.Client(base_url=url, trust_env=False, timeout=60) as http:
+
+        def call(name: str, method: str, path: str, **more: Any) -> Any:
+            time.sleep(rng.exponential(pause))
+            began = time.perf_counter()
+            answer = http.request(method, path, **more)
+            seconds[name].append(time.perf_counter() - began)
+            return answer.raise_for_status().json()
+
+        for turn in range(turns):
+            call("list_studies", "GET", "/v1/studies")
+            call("get_study", "GET", f"/v1/studies/{study_id}")
+            cases = call("list_cases", "GET", f"/v1/studies/{study_id}/cases")["items"]
+            call("get_case", "GET", f"/v1/cases/{cases[turn % len(cases)]['id']}")
+            call("list_peaks", "GET", "/v1/peaks", params={"quantity": "wheel_rail_force", "sort": "-peak"})
+            if (turn + client) % 5 == 0:
+                body = harmonic(CASES, 1e-3 * (client + 1) + 1e-8 * (turn + 1))
+                call(f"create_study of {CASES} cases", "POST", "/v1/studies", json=body)
+    return seconds
+
+
+def large(url: str) -> list[tuple[str, float, float]]:
+    """What is done to a large study, seconds, and megabytes of the API."""
+    api = next(each for each in psutil.Process().children(recursive=True) if "api" in each.cmdline())
+    found = []
+    with httpx.Client(base_url=url, trust_env=False, timeout=120) as http:
+
+        def done(what: str, began: float) -> None:
+            found.append((f"{what}, {LARGE} cases", time.perf_counter() - began, api.memory_info().rss / 1e6))
+
+        began = time.perf_counter()
+        created = http.post("/v1/studies", json=harmonic(LARGE, 0.05)).raise_for_status().json()["id"]
+        done("create", began)
+        began, cursor = time.perf_counter(), None
+        while True:
+            query = {"page_size": 500} | ({"cursor": cursor} if cursor else {})
+            cursor = http.get(f"/v1/studies/{created}/cases", params=query).raise_for_status().json()["next_cursor"]
+            if cursor is None:
+                break
+        done("list all pages", began)
+        began = time.perf_counter()
+        http.get("/v1/peaks.csv", params={"study_id": created}).raise_for_status()
+        done("export (few have peaks yet)", began)
+        began = time.perf_counter()
+        http.post(f"/v1/studies/{created}/cancel").raise_for_status()
+        done("cancel", began)
+        began = time.perf_counter()
+        while http.delete(f"/v1/studies/{created}").status_code == httpx.codes.CONFLICT:
+            time.sleep(0.1)
+        done("delete", began)
+    return found
+
+
+def run(clients: int, turns: int, pause: float) -> Result:
+    """Load a service."""
+    with served(2) as url:
+        busy = submit(url, BUSY)
+        while httpx.get(f"{url}/v1/studies/{busy}", trust_env=False).json()["cases"]["running"] == 0:
+            time.sleep(0.2)
+        with ThreadPoolExecutor(clients) as pool:
+            asked = list(pool.map(lambda client: ask(url, busy, client, turns, pause), range(clients)))
+        rows = large(url)
+    seconds = {name: 1e3 * np.concatenate([each[name] for each in asked]) for name in asked[0]}
+    table = [["operation", "times", "median, ms", "95 %, ms", "largest"]]
+    for name, values in seconds.items():
+        middle, high = np.quantile(values, [0.5, 0.95])
+        table.append([name, str(len(values)), f"{middle:.0f}", f"{high:.0f}", f"{values.max():.0f} ms"])
+    table += [[name, "1", f"{1e3 * took:.0f}", "", f"{megabytes:.0f} MB"] for name, took, megabytes in rows]
+    reads = np.concatenate([values for name, values in seconds.items() if "create" not in name])
+    creates = next(values for name, values in seconds.items() if "create" in name)
+    return Result(
+        title="Answers under load",
+        how=HOW.format(clients=clients, turns=turns, pause=pause, cases=CASES, large=LARGE),
+        command="python -m benchmarks.load",
+        values={
+            "p95_read_ms": float(np.quantile(reads, 0.95)),
+            "p95_create_100_cases_ms": float(np.quantile(creates, 0.95)),
+            "create_10000_cases_s": rows[0][1],
+            "largest_api_mb": max(megabytes for *_, megabytes in rows),
+        },
+        table=table,
+    )
+
+
+def main() -> None:
+    """Run it from the command line."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--clients", type=int, default=20)
+    parser.add_argument("--turns", type=int, default=20)
+    parser.add_argument("--pause", type=float, default=0.5, help="seconds between two requests of a client")
+    options = parser.parse_args()
+    publish("load", run(options.clients, options.turns, options.pause))
+
+
+if __name__ == "__main__":
+    main()
