@@ -32,7 +32,7 @@ COMPARED = {"force": "wheel_rail_force", "rail": "rail_acceleration", "slab": "s
 
 HOW = """Two jointed cases at 350 km/h, each alone, 0.5 s of window: the article's sine, and its spectrum from 1 to
 30 m. *CPU s* is processor time of both solves; the other columns are how far the peaks of force, rail and slab
-acceleration under the first wheelset are from those of the finest choice (24 elements per pad, steps of 2.5e-5 s, 200 m).
+acceleration under the first wheelset are from those of the finest (24 elements per pad, steps of 2.5e-5 s, 200 m).
 `docs/decisions/0006-where-the-speed-comes-from.md` draws the conclusions."""
 
 
