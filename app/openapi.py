@@ -1,11 +1,11 @@
 """The OpenAPI document: FastAPI's, with errors as they really are."""
 
-from collections.abc import Iterable
 from typing import Any
 
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
+from app import examples
 from app.problems import MEDIA_TYPE, ProblemDetails
 
 REFERENCE = "#/components/schemas/{model}"
@@ -19,6 +19,13 @@ ALWAYS = {
 KEY = {"type": "http", "scheme": "bearer", "description": "An API key, ts_…, that `tracksweep keys create` printed."}
 WITH_BODY = {"400": "Unparsable", "413": "Body too large", "415": "Body of another type"}
 WITH_PATH = {"404": "Not found"}
+
+# Where the identifiers in paths come from: an operation, its success, and the place in its answer.
+SOURCES = {
+    "study_id": ("create_study", "201", "$response.body#/id"),
+    "case_id": ("list_cases", "200", "$response.body#/items/0/id"),
+    "profile_id": ("create_profile", "201", "$response.body#/id"),
+}
 
 
 def document(app: FastAPI) -> dict[str, Any]:
@@ -36,7 +43,9 @@ def document(app: FastAPI) -> dict[str, Any]:
         for path, operations in schema["paths"].items():
             for operation in operations.values():
                 _document_problems(path, operation)
-                _without_null(operation.get("parameters", ()))
+                _document_parameters(operation)
+                _give_example(operation)
+        _link(schema["paths"])
         app.openapi_schema = schema
     return app.openapi_schema
 
@@ -53,9 +62,32 @@ def _document_problems(path: str, operation: dict[str, Any]) -> None:
     operation["responses"] = dict(sorted(responses.items()))
 
 
-def _without_null(parameters: Iterable[dict[str, Any]]) -> None:
+def _document_parameters(operation: dict[str, Any]) -> None:
     """What FastAPI documents as `null` is left out: neither a query nor a header can say it."""
-    for parameter in parameters:
+    for parameter in operation.get("parameters", ()):
         schema = parameter["schema"]
         given = [each for each in schema.pop("anyOf", ()) if each != {"type": "null"}]
         schema |= given[0] if len(given) == 1 else {"anyOf": given} if given else {}
+        parameter["required"] |= parameter["name"] == "If-Match"  # without it the answer is 428, not 422
+
+
+def _give_example(operation: dict[str, Any]) -> None:
+    name = operation["operationId"]
+    values = examples.PATHS | examples.PARAMETERS.get(name, {})
+    for parameter in operation.get("parameters", ()):
+        if parameter["name"] in values:
+            parameter["example"] = values[parameter["name"]]
+    if name in examples.BODIES:
+        for content in operation["requestBody"]["content"].values():
+            content["example"] = examples.BODIES[name]
+
+
+def _link(paths: dict[str, Any]) -> None:
+    """Say which operations take the identifier that another one gives (OpenAPI links)."""
+    operations = {each["operationId"]: each for methods in paths.values() for each in methods.values()}
+    for name, operation in operations.items():
+        for parameter in operation.get("parameters", ()):
+            if parameter["in"] == "path":
+                source, status, place = SOURCES[parameter["name"]]
+                links = operations[source]["responses"][status].setdefault("links", {})
+                links[name] = {"operationId": name, "parameters": {parameter["name"]: place}}

@@ -19,9 +19,7 @@ router = APIRouter(prefix="/v1/profiles", tags=["profiles"])
 CSV_BODY: dict[str, Any] = {
     "requestBody": {
         "required": True,
-        "content": {
-            CSV: {"schema": {"type": "string", "format": "binary"}, "example": "x_m,eta_mm\n0,0.1\n0.25,-0.2\n"}
-        },
+        "content": {CSV: {"schema": {"type": "string", "format": "binary"}}},
     }
 }
 

@@ -3,7 +3,8 @@
 from datetime import datetime
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from pydantic import AwareDatetime, BaseModel, Discriminator, Field, StringConstraints, Tag
+from pydantic import AwareDatetime, BaseModel, BeforeValidator, Discriminator, Field, StringConstraints, Tag
+from pydantic_core import PydanticCustomError
 
 from app.boundary import Strict, without_default
 from app.cases.irregularities import no_profiles
@@ -160,11 +161,20 @@ class StudyPage(BaseModel):
     next_cursor: str | None
 
 
+def _no_number(text: str) -> str:
+    """A number would be read as seconds since 1970, which the schema does not say."""
+    if "-" not in text[1:]:
+        raise PydanticCustomError("datetime-parsing", "Input should be a date and time, as in 2026-01-01T00:00:00Z")
+    return text
+
+
 class StudyQuery(PageQuery):
     """Which studies to list."""
 
     state: StudyState | None = None
-    created_after: AwareDatetime | None = Field(default=None, description="Only studies created after this instant.")
+    created_after: Annotated[AwareDatetime, BeforeValidator(_no_number)] | None = Field(
+        default=None, description="Only studies created after this instant."
+    )
     name: Annotated[str, StringConstraints(max_length=200, pattern=PRINTABLE)] | None = Field(
         default=None, description="Only studies whose name contains this, in upper or lower case."
     )

@@ -221,6 +221,8 @@ def test_method_not_allowed(method: str, path: str, allowed: str, lenient_client
         ("/v1/studies", "state=sleeping", "/query/state"),
         ("/v1/studies", "created_after=yesterday", "/query/created_after"),
         ("/v1/studies", "created_after=2026-01-01T00:00:00", "/query/created_after"),
+        ("/v1/studies", "created_after=0.5", "/query/created_after"),
+        ("/v1/studies", "created_after=1e-5", "/query/created_after"),
         ("/v1/studies", "created_after=1e400", "/query/created_after"),
         ("/v1/studies", "name=%00", "/query/name"),
         ("/v1/studies", "colour=red", "/query/colour"),

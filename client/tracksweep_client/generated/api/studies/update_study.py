@@ -9,18 +9,17 @@ from ...client import AuthenticatedClient, Client
 from ...models.problem_details import ProblemDetails
 from ...models.study_detail import StudyDetail
 from ...models.study_patch import StudyPatch
-from ...types import UNSET, Response, Unset
+from ...types import Response
 
 
 def _get_kwargs(
     study_id: str,
     *,
     body: StudyPatch,
-    if_match: str | Unset = UNSET,
+    if_match: str,
 ) -> dict[str, Any]:
     headers: dict[str, Any] = {}
-    if not isinstance(if_match, Unset):
-        headers["If-Match"] = if_match
+    headers["If-Match"] = if_match
 
     _kwargs: dict[str, Any] = {
         "method": "patch",
@@ -122,7 +121,7 @@ def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
     body: StudyPatch,
-    if_match: str | Unset = UNSET,
+    if_match: str,
 ) -> Response[ProblemDetails | StudyDetail]:
     """Update Study
 
@@ -131,8 +130,8 @@ def sync_detailed(
 
     Args:
         study_id (str):
-        if_match (str | Unset): Required: the ETag of the version that is to be changed, or * for
-            any. What changes by itself, such as progress, does not count.
+        if_match (str): Required: the ETag of the version that is to be changed, or * for any.
+            What changes by itself, such as progress, does not count.
         body (StudyPatch): Changes to a study, as a JSON merge patch (RFC 7396): what is left out
             stays, a label of null is removed.
 
@@ -162,7 +161,7 @@ def sync(
     *,
     client: AuthenticatedClient | Client,
     body: StudyPatch,
-    if_match: str | Unset = UNSET,
+    if_match: str,
 ) -> ProblemDetails | StudyDetail | None:
     """Update Study
 
@@ -171,8 +170,8 @@ def sync(
 
     Args:
         study_id (str):
-        if_match (str | Unset): Required: the ETag of the version that is to be changed, or * for
-            any. What changes by itself, such as progress, does not count.
+        if_match (str): Required: the ETag of the version that is to be changed, or * for any.
+            What changes by itself, such as progress, does not count.
         body (StudyPatch): Changes to a study, as a JSON merge patch (RFC 7396): what is left out
             stays, a label of null is removed.
 
@@ -197,7 +196,7 @@ async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
     body: StudyPatch,
-    if_match: str | Unset = UNSET,
+    if_match: str,
 ) -> Response[ProblemDetails | StudyDetail]:
     """Update Study
 
@@ -206,8 +205,8 @@ async def asyncio_detailed(
 
     Args:
         study_id (str):
-        if_match (str | Unset): Required: the ETag of the version that is to be changed, or * for
-            any. What changes by itself, such as progress, does not count.
+        if_match (str): Required: the ETag of the version that is to be changed, or * for any.
+            What changes by itself, such as progress, does not count.
         body (StudyPatch): Changes to a study, as a JSON merge patch (RFC 7396): what is left out
             stays, a label of null is removed.
 
@@ -235,7 +234,7 @@ async def asyncio(
     *,
     client: AuthenticatedClient | Client,
     body: StudyPatch,
-    if_match: str | Unset = UNSET,
+    if_match: str,
 ) -> ProblemDetails | StudyDetail | None:
     """Update Study
 
@@ -244,8 +243,8 @@ async def asyncio(
 
     Args:
         study_id (str):
-        if_match (str | Unset): Required: the ETag of the version that is to be changed, or * for
-            any. What changes by itself, such as progress, does not count.
+        if_match (str): Required: the ETag of the version that is to be changed, or * for any.
+            What changes by itself, such as progress, does not count.
         body (StudyPatch): Changes to a study, as a JSON merge patch (RFC 7396): what is left out
             stays, a label of null is removed.
 
