@@ -23,7 +23,8 @@ class JsonRequest(Request):
     """A request whose body is limited, and is JSON as Pydantic reads it.
 
     The standard library's reader would let lone surrogates through and give up on deep nesting with a
-    RecursionError. NaN and Infinity pass here so that validation can name the field that holds them.
+    RecursionError. NaN and Infinity pass here so that validation can name the field that holds them. 5.0 is an
+    integer, as in JSON Schema, though not for strict Pydantic.
     """
 
     async def body(self) -> bytes:
@@ -37,7 +38,7 @@ class JsonRequest(Request):
     async def json(self) -> Any:
         """The body as Python objects."""
         try:
-            return from_json(await self.body())
+            return _with_integers(from_json(await self.body()))
         except ValueError as error:
             raise Problem(400, f"The body is not JSON: {error}.") from None
 
@@ -61,6 +62,14 @@ async def _read(request: Request, limit: int) -> bytes:
             raise Problem(413, f"The body is larger than {limit} bytes.")
         chunks.append(chunk)
     return b"".join(chunks)
+
+
+def _with_integers(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _with_integers(each) for key, each in value.items()}
+    if isinstance(value, list):
+        return [_with_integers(each) for each in value]
+    return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
 def _is_json(content_type: str) -> bool:

@@ -1,8 +1,12 @@
 """What is written for readers agrees with the code."""
 
+import ast
+import json
 import re
 from pathlib import Path
 
+from app import problems
+from app.catalogue import service as catalogue
 from app.settings import Settings
 
 ROOT = Path(__file__).parent.parent
@@ -27,3 +31,36 @@ def test_decision_records_have_numbers_of_their_own() -> None:
     numbers = [path.name[:4] for path in (ROOT / "docs/decisions").glob("*.md")]
     assert all(number.isdigit() for number in numbers)
     assert len(numbers) == len(set(numbers))
+
+
+def given_codes() -> set[str]:
+    """Every `code` that stands in the sources as an argument of what makes a problem."""
+    found = set(problems._CODES.values())
+    for path in (ROOT / "app").rglob("*.py"):
+        for call in ast.walk(ast.parse(path.read_text())):
+            if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name):
+                continue
+            place = {"invalid": 1, "PydanticCustomError": 0}.get(call.func.id)
+            values = [] if place is None else call.args[place : place + 1]
+            if call.func.id in ("Problem", "FieldProblem", "Discriminator"):
+                values = [k.value for k in call.keywords if k.arg in ("code", "custom_error_type")]
+            found |= {value.value for value in values if isinstance(value, ast.Constant)}
+    return found
+
+
+def test_every_problem_code_is_documented() -> None:
+    documented = re.findall(r"^\| `([a-z-]+)` \|", (ROOT / "docs/problems.md").read_text(), re.MULTILINE)
+    assert set(documented) == given_codes()
+
+
+def test_every_operation_and_quantity_is_documented() -> None:
+    page = (ROOT / "docs/api.md").read_text()
+    operations = re.findall(r"^\| `(\w+)` \| (\w+) `([^`]+)` \|", page, re.MULTILINE)
+    document = json.loads((ROOT / "openapi.json").read_text())
+    assert set(operations) == {
+        (operation["operationId"], method.upper(), path)
+        for path, methods in document["paths"].items()
+        for method, operation in methods.items()
+    }
+    quantities = dict(re.findall(r"^\| `(\w+)` \| (\S+(?: \S+)?) \| [^`]*\|$", page, re.MULTILINE))
+    assert quantities == {quantity.name: quantity.unit for quantity in catalogue.quantities()}

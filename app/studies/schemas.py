@@ -1,5 +1,6 @@
 """Studies as clients send and see them."""
 
+from collections.abc import Callable
 from datetime import datetime
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
@@ -38,11 +39,21 @@ def _kind_of_sweep(value: object) -> str | None:
     return kind if isinstance(kind, str) else None
 
 
+def _names_checked(schema: dict[str, Any]) -> None:
+    """Say it so that no other name passes: a property that matches no pattern may have any value."""
+    schema.pop("default", None)
+    ((pattern, values),) = schema.pop("patternProperties").items()
+    schema["propertyNames"]["pattern"] = pattern
+    schema["additionalProperties"] = values
+
+
 class StudyRequest(Model):
     """A parametric study: a sweep of one model."""
 
     name: Name
-    labels: dict[Label, LabelValue] = Field(default_factory=dict, max_length=MAX_LABELS)
+    labels: dict[Label, LabelValue] = Field(
+        default_factory=dict, max_length=MAX_LABELS, json_schema_extra=_names_checked
+    )
     priority: Priority = 0
     sweep: Annotated[
         Annotated[PresetName, Tag("preset")]
@@ -92,8 +103,8 @@ class StudyRequest(Model):
         return whole.sweep, whole
 
 
-def _left_out(**more: Any) -> Any:
-    return Field(default=None, json_schema_extra=without_default, **more)
+def _left_out(schema: Callable[[dict[str, Any]], None] = without_default, **more: Any) -> Any:
+    return Field(default=None, json_schema_extra=schema, **more)
 
 
 class StudyPatch(Strict):
@@ -101,7 +112,7 @@ class StudyPatch(Strict):
 
     name: Name = _left_out()
     labels: dict[Label, LabelValue | None] = _left_out(
-        max_length=2 * MAX_LABELS, description=f"At most {MAX_LABELS} may remain."
+        _names_checked, max_length=2 * MAX_LABELS, description=f"At most {MAX_LABELS} may remain."
     )
     priority: Priority = _left_out()
 

@@ -1,10 +1,12 @@
 """The OpenAPI document, as the client generator needs it, and what importing the application costs."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 
 from app.main import create_app
@@ -117,3 +119,12 @@ def test_the_database_away(tmp_path: Path, serve: Any, problem: Any) -> None:
                 response = client.get(path)
                 problem(response, 503, "unavailable")
                 assert int(response.headers["retry-after"]) > 0
+
+
+@pytest.mark.parametrize("path", ["/docs", "/redoc"])
+def test_the_pages_of_the_api_need_nothing_from_elsewhere(path: str, lenient_client: httpx.Client) -> None:
+    assets = re.findall(r"""(?:src|href)=["']([^"'>]+)["']""", lenient_client.get(path).text)
+    assert len(assets) >= 2
+    for asset in assets:
+        assert asset.startswith("/")
+        assert lenient_client.get(asset).is_success
