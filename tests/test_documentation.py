@@ -62,5 +62,5 @@ def test_every_operation_and_quantity_is_documented() -> None:
         for path, methods in document["paths"].items()
         for method, operation in methods.items()
     }
-    quantities = dict(re.findall(r"^\| `(\w+)` \| (\S+(?: \S+)?) \| [^`]*\|$", page, re.MULTILINE))
+    quantities = dict(re.findall(r"^\| `(\w+)` \| ([^`|]+) \| [^`]*\|$", page, re.MULTILINE))
     assert quantities == {quantity.name: quantity.unit for quantity in catalogue.quantities()}

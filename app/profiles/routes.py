@@ -65,7 +65,9 @@ def download_profile(profile_id: ProfileId, context: ContextDep, request: Reques
     return not_changed(request, headers["ETag"]) or Response(content, media_type=CSV, headers=headers)
 
 
-@router.delete("/{profile_id}", status_code=204, responses={409: {"description": "A study uses it"}})
+@router.delete(
+    "/{profile_id}", status_code=204, response_class=Response, responses={409: {"description": "A study uses it"}}
+)
 def delete_profile(profile_id: ProfileId, context: ContextDep, caller: CallerDep) -> None:
     """Delete a profile that no study uses."""
     service.remove(context, profile_id, caller)

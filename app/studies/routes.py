@@ -90,7 +90,9 @@ def retry_study(study_id: StudyId, context: ContextDep, caller: CallerDep) -> St
     return lifecycle.retry(context, study_id, caller)
 
 
-@router.delete("/{study_id}", status_code=204, responses={409: {"description": "Not ended yet"}})
+@router.delete(
+    "/{study_id}", status_code=204, response_class=Response, responses={409: {"description": "Not ended yet"}}
+)
 def delete_study(study_id: StudyId, context: ContextDep) -> None:
     """Delete a study that has ended, with the histories that no other study keeps. Peaks stay, as do shared cases."""
     lifecycle.remove(context, study_id)

@@ -5,7 +5,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from pydantic import AwareDatetime, BaseModel, BeforeValidator, Discriminator, Field, StringConstraints, Tag
-from pydantic_core import PydanticCustomError
+from pydantic_core import PydanticKnownError
 
 from app.boundary import Strict, without_default
 from app.cases.irregularities import no_profiles
@@ -175,7 +175,7 @@ class StudyPage(BaseModel):
 def _no_number(text: str) -> str:
     """A number would be read as seconds since 1970, which the schema does not say."""
     if "-" not in text[1:]:
-        raise PydanticCustomError("datetime-parsing", "Input should be a date and time, as in 2026-01-01T00:00:00Z")
+        raise PydanticKnownError("datetime_parsing", {"error": "a number is not one"})
     return text
 
 

@@ -25,7 +25,7 @@ def small_service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
 
 def fuzz(service: Served, *options: object) -> int:
     """How many requests were made; fails if one of them was answered in a way that the document does not say."""
-    command = [PROGRAM, "--config-file", ROOT / "tests/contract/schemathesis.toml", "run", "--no-color", *options]
+    command = [PROGRAM, "--config-file", ROOT / "tests/e2e/schemathesis.toml", "run", "--no-color", *options]
     command.append(f"{service.http.base_url}/openapi.json")
     environment = clean_environment() | {"NO_PROXY": "*", "PYTHONPATH": str(ROOT)}
     done = subprocess.run(
