@@ -22,6 +22,7 @@ PROFILE = "x_m,eta_mm\n" + "".join(f"{0.25 * n:g},{0.1 * (n % 8 - 4):g}\n" for n
 PATHS: dict[str, Any] = {
     "study_id": "3f2a9c0d5b7e4816a1c2d3e4f5061728",
     "case_id": 1,
+    "key_name": "laboratory",
     "profile_id": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
 }
 BODIES: dict[str, Any] = {

@@ -87,7 +87,7 @@ def _link(paths: dict[str, Any]) -> None:
     operations = {each["operationId"]: each for methods in paths.values() for each in methods.values()}
     for name, operation in operations.items():
         for parameter in operation.get("parameters", ()):
-            if parameter["in"] == "path":
+            if parameter["name"] in SOURCES and parameter["in"] == "path":
                 source, status, place = SOURCES[parameter["name"]]
                 links = operations[source]["responses"][status].setdefault("links", {})
                 links[name] = {"operationId": name, "parameters": {parameter["name"]: place}}

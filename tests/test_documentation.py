@@ -40,7 +40,7 @@ def given_codes() -> set[str]:
         for call in ast.walk(ast.parse(path.read_text())):
             if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name):
                 continue
-            place = {"invalid": 1, "PydanticCustomError": 0}.get(call.func.id)
+            place = {"invalid": 1, "forbidden": 1, "PydanticCustomError": 0}.get(call.func.id)
             values = [] if place is None else call.args[place : place + 1]
             if call.func.id in ("Problem", "FieldProblem", "Discriminator"):
                 values = [k.value for k in call.keywords if k.arg in ("code", "custom_error_type")]

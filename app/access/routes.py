@@ -2,7 +2,7 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, Path
+from fastapi import APIRouter, Path, Response
 from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
@@ -30,7 +30,7 @@ def list_shares(study_id: StudyId, context: ContextDep, caller: CallerDep) -> Sh
         return ShareList(items=[Share(key=name) for name in session.scalars(names)])
 
 
-@router.put("/{key_name}", status_code=204)
+@router.put("/{key_name}", status_code=204, response_class=Response)
 def share_study(study_id: StudyId, key_name: KeyName, context: ContextDep) -> None:
     """Let another key read a study and all that is in it."""
     with context.database.write() as session:
@@ -41,7 +41,7 @@ def share_study(study_id: StudyId, key_name: KeyName, context: ContextDep) -> No
         session.merge(StudyShare(study_id=study_id, key_id=key_id))
 
 
-@router.delete("/{key_name}", status_code=204)
+@router.delete("/{key_name}", status_code=204, response_class=Response)
 def unshare_study(study_id: StudyId, key_name: KeyName, context: ContextDep) -> None:
     """Share a study with a key no longer. Where it is not shared, nothing changes."""
     of_key = select(ApiKey.id).where(ApiKey.name == key_name).scalar_subquery()

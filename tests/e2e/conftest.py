@@ -44,9 +44,10 @@ def study(*speeds: float, **numerics: float) -> dict[str, Any]:
 class Served:
     """A ``tracksweep serve`` and a client of it."""
 
-    def __init__(self, data: Path, *options: str) -> None:
+    def __init__(self, data: Path, *options: str, **environment: str) -> None:
         self.data = data
-        self.environment = clean_environment() | {"TRACKSWEEP_DATA_DIR": str(data), "TRACKSWEEP_LEASE_S": "2"}
+        self.environment = clean_environment() | {"TRACKSWEEP_LEASE_S": "2"} | environment
+        self.environment["TRACKSWEEP_DATA_DIR"] = str(data)
         command = [*PROGRAM, "serve", "--port", "0", *options]
         self.process = subprocess.Popen(
             command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL
@@ -95,9 +96,9 @@ def clean_environment() -> dict[str, str]:
 
 
 @contextmanager
-def served(data: Path, *options: str) -> Iterator[Served]:
+def served(data: Path, *options: str, **environment: str) -> Iterator[Served]:
     """A service that is killed at the end, if it still runs."""
-    service = Served(data, *options)
+    service = Served(data, *options, **environment)
     try:
         yield service
     finally:

@@ -11,16 +11,17 @@ import pytest
 from tests.e2e.conftest import Served, clean_environment, served
 
 ROOT = Path(__file__).parents[2]
+SMALL = dict.fromkeys(("TRACKSWEEP_READS_PER_MINUTE", "TRACKSWEEP_WRITES_PER_MINUTE"), "0") | {
+    "TRACKSWEEP_MAX_CASES_PER_STUDY": "20"
+}
 PROGRAM = Path(sys.executable).parent / "schemathesis"
 
 
 @pytest.fixture(scope="module")
 def small_service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     """Takes small studies only, so that there is time to compute them."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("TRACKSWEEP_MAX_CASES_PER_STUDY", "20")
-        with served(tmp_path_factory.mktemp("fuzz") / "data", "--workers", "2") as service:
-            yield service
+    with served(tmp_path_factory.mktemp("fuzz") / "data", "--workers", "2", **SMALL) as service:
+        yield service
 
 
 def fuzz(service: Served, *options: object) -> int:

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from app.examples import PROFILE, STUDY
-from tests.e2e.conftest import Served, until
+from app.examples import PATHS, PROFILE, STUDY
+from tests.e2e.conftest import Served, tracksweep, until
 
 DOCUMENT = json.loads((Path(__file__).parents[2] / "openapi.json").read_text())
 OPERATIONS = {
@@ -28,7 +28,9 @@ def identifiers(service: Served) -> dict[str, Any]:
     verification = f"/v1/cases/{cases[0]['id']}/verification"
     service.http.post(verification).raise_for_status()
     until(lambda: service.get(verification)["state"] == "succeeded")
-    return {"study_id": study_id, "case_id": cases[0]["id"], "profile_id": profile.json()["id"]}
+    tracksweep("keys", "create", PATHS["key_name"], "--scope", "read", TRACKSWEEP_DATA_DIR=service.data)
+    service.http.put(f"/v1/studies/{study_id}/shares/{PATHS['key_name']}").raise_for_status()
+    return PATHS | {"study_id": study_id, "case_id": cases[0]["id"], "profile_id": profile.json()["id"]}
 
 
 @pytest.fixture
