@@ -13,9 +13,25 @@ from . import events
 from .connection import connect
 from .generated.api.cases import list_cases
 from .generated.api.peaks import export_peaks_csv, export_peaks_parquet, list_peaks
-from .generated.api.studies import cancel_study, create_study, get_study, list_studies, retry_study, watch_study
+from .generated.api.studies import (
+    cancel_study,
+    create_study,
+    estimate_study,
+    get_study,
+    list_studies,
+    retry_study,
+    watch_study,
+)
 from .generated.errors import UnexpectedStatus
-from .generated.models import CaseSummary, PeakRow, ProblemDetails, StudyDetail, StudyRequest, StudySummary
+from .generated.models import (
+    CaseSummary,
+    PeakRow,
+    ProblemDetails,
+    StudyDetail,
+    StudyEstimate,
+    StudyRequest,
+    StudySummary,
+)
 from .generated.types import UNSET, Response
 from .progress import shown
 
@@ -26,6 +42,7 @@ RECONNECTIONS = 10  # in a row without any news
 RECONNECT_AFTER_S = 1.0
 
 T = TypeVar("T")
+Study = StudyRequest | Mapping[str, Any]
 
 
 class _AsItIs(dict[str, Any]):
@@ -58,7 +75,7 @@ class Service:
     def __init__(self, url: str | None = None, api_key: str | None = None) -> None:
         self.client = connect(url, api_key)
 
-    def submit(self, study: StudyRequest | Mapping[str, Any], idempotency_key: str | None = None) -> StudyDetail:
+    def submit(self, study: Study, idempotency_key: str | None = None) -> StudyDetail:
         """Submit a study, once, however often this request has to be sent.
 
         Parameters
@@ -68,9 +85,12 @@ class Service:
         idempotency_key : str, optional
             Any unique text, by which a script that is run again gets the study it created before.
         """
-        body = study if isinstance(study, StudyRequest) else cast(StudyRequest, _AsItIs(study))
         key = idempotency_key or uuid4().hex
-        return _given(create_study.sync_detailed(client=self.client, body=body, idempotency_key=key))
+        return _given(create_study.sync_detailed(client=self.client, body=_body(study), idempotency_key=key))
+
+    def estimate(self, study: Study) -> StudyEstimate:
+        """What a study would take, and what to beware of, without creating it."""
+        return _given(estimate_study.sync_detailed(client=self.client, body=_body(study)))
 
     def study(self, study_id: str) -> StudyDetail:
         """A study as it is now."""
@@ -168,6 +188,10 @@ class Service:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def _body(study: Study) -> StudyRequest:
+    return study if isinstance(study, StudyRequest) else cast(StudyRequest, _AsItIs(study))
 
 
 def _given(response: Response[T | ProblemDetails]) -> T:

@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -16,7 +15,7 @@ from tracksweep_client import ProblemError, Service, connect
 from tracksweep_client.generated.api.catalogue import list_quantities
 from tracksweep_client.generated.models import QuantityList
 
-README = Path(__file__).parents[2] / "client/README.md"
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
@@ -59,15 +58,24 @@ def test_without_blocking(service: Served) -> None:
     assert "wheel_rail_force" in [quantity.name for quantity in quantities.items]
 
 
-def test_the_readme_does_what_it_says(service: Served, tmp_path: Path) -> None:
-    code = re.search("```python\n(.*?)```", README.read_text(), re.DOTALL)
-    assert code is not None
-    assert len(code[1].strip().splitlines()) < 10
+README = (ROOT / "client/README.md").read_text()
+FIRST_EXAMPLE = README.partition("```python\n")[2].partition("```")[0]
+NOTEBOOK = (ROOT / "examples/notebook.py").read_text()
+
+
+def test_the_example_is_short() -> None:
+    assert 0 < len(FIRST_EXAMPLE.strip().splitlines()) < 10
+
+
+@pytest.mark.parametrize("code", [FIRST_EXAMPLE, NOTEBOOK], ids=["readme", "notebook"])
+def test_the_examples_do_what_they_say(code: str, service: Served, tmp_path: Path) -> None:
     (tmp_path / "examples").mkdir()
     (tmp_path / "examples/speed_sweep.json").write_text(json.dumps(study(205, 235)))
     url = {"TRACKSWEEP_URL": str(service.http.base_url), "MPLBACKEND": "agg"}
     done = subprocess.run(
-        [sys.executable, "-c", code[1] + "\nprint(len(peaks))"],
+        [sys.executable, "-c", code + "\nprint(peaks.speed_kmh.nunique())"],
         cwd=tmp_path, env=clean_environment() | url, capture_output=True, text=True, check=False, timeout=120,
     )  # fmt: skip
-    assert (done.returncode, done.stdout) == (0, "2\n"), done.stderr
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "2"
+    assert "2 of 2 cases done" in done.stderr
