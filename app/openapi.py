@@ -27,6 +27,9 @@ SOURCES = {
     "profile_id": ("create_profile", "201", "$response.body#/id"),
 }
 
+# Fields of answers that a service of the minor version before does not send: not required, for the client's sake.
+NEW = {"CaseDetail": {"processing"}}
+
 
 def document(app: FastAPI) -> dict[str, Any]:
     """The document, made once."""
@@ -37,6 +40,8 @@ def document(app: FastAPI) -> dict[str, Any]:
             schemas.pop(name, None)
         problem = ProblemDetails.model_json_schema(ref_template=REFERENCE)
         schemas |= problem.pop("$defs") | {"ProblemDetails": problem}
+        for name, fields in NEW.items():
+            schemas[name]["required"] = [field for field in schemas[name]["required"] if field not in fields]
         # Optional, as whether a key is needed depends on where the service listens.
         schema["security"] = [{}, {"key": []}]
         schema["components"]["securitySchemes"] = {"key": KEY}

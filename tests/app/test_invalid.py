@@ -122,6 +122,11 @@ SPOILT: dict[str, tuple[tuple[str, ...], Any, str]] = {
         "/vehicle/half_wheelbase_m",
     ),
     "track shorter than the car": (("numerics",), {"absorbing_length_m": 60.0}, "/numerics/track_length_m"),
+    "next to nothing": (
+        ("track",),
+        {"rail_elastic_modulus_pa": 5e-324, "rail_second_moment_m4": 5e-324},
+        "/sweep",
+    ),
     "no name": (("name",), "", "/name"),
     "NUL in a name": (("name",), "a\0b", "/name"),
     "text as priority": (("priority",), "high", "/priority"),

@@ -50,6 +50,8 @@ def located(place: str, varied_paths: Collection[str] = ()) -> Iterator[None]:
         yield
     except InvalidParameterError as error:
         raise ContradictionError(_pointer(error.parameter, place, varied_paths), str(error)) from None
+    except ArithmeticError:  # a bound that is to be exceeded is zero, and numbers can come very near to that
+        raise ContradictionError(place, "The values are too many orders of magnitude apart to reckon with.") from None
 
 
 def _pointer(parameter: str, place: str, varied_paths: Collection[str]) -> str:

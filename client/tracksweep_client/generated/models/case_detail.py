@@ -8,6 +8,7 @@ from attrs import define as _attrs_define
 from attrs import field as _attrs_field
 
 from ..models.case_detail_state import CaseDetailState, check_case_detail_state
+from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
     from ..models.case_detail_inputs import CaseDetailInputs
@@ -49,9 +50,9 @@ class CaseDetail:
         finished_at (datetime.datetime | None):
         inputs (CaseDetailInputs): The case as `tracksweep solve` takes it, every value spelled out; of a measured
             profile, the `profile_id`, where `tracksweep solve` takes a file.
-        processing (CaseDetailProcessingType0 | None): How its peaks were derived: sampling, window, filters, indices,
-            conventions. Null for a case that has not succeeded or was computed before this was stored.
         history (None | StoredHistory):
+        processing (CaseDetailProcessingType0 | None | Unset): How its peaks were derived: sampling, window, filters,
+            indices, conventions. Null for a case that has not succeeded or was computed before this was stored.
     """
 
     speed_kmh: float
@@ -78,8 +79,8 @@ class CaseDetail:
     started_at: datetime.datetime | None
     finished_at: datetime.datetime | None
     inputs: CaseDetailInputs
-    processing: CaseDetailProcessingType0 | None
     history: None | StoredHistory
+    processing: CaseDetailProcessingType0 | None | Unset = UNSET
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -157,17 +158,19 @@ class CaseDetail:
 
         inputs = self.inputs.to_dict()
 
-        processing: dict[str, Any] | None
-        if isinstance(self.processing, CaseDetailProcessingType0):
-            processing = self.processing.to_dict()
-        else:
-            processing = self.processing
-
         history: dict[str, Any] | None
         if isinstance(self.history, StoredHistory):
             history = self.history.to_dict()
         else:
             history = self.history
+
+        processing: dict[str, Any] | None | Unset
+        if isinstance(self.processing, Unset):
+            processing = UNSET
+        elif isinstance(self.processing, CaseDetailProcessingType0):
+            processing = self.processing.to_dict()
+        else:
+            processing = self.processing
 
         field_dict: dict[str, Any] = {}
         field_dict.update(self.additional_properties)
@@ -197,10 +200,11 @@ class CaseDetail:
                 "started_at": started_at,
                 "finished_at": finished_at,
                 "inputs": inputs,
-                "processing": processing,
                 "history": history,
             }
         )
+        if processing is not UNSET:
+            field_dict["processing"] = processing
 
         return field_dict
 
@@ -349,21 +353,6 @@ class CaseDetail:
 
         inputs = CaseDetailInputs.from_dict(d.pop("inputs"))
 
-        def _parse_processing(data: object) -> CaseDetailProcessingType0 | None:
-            if data is None:
-                return data
-            try:
-                if not isinstance(data, dict):
-                    raise TypeError()
-                processing_type_0 = CaseDetailProcessingType0.from_dict(data)
-
-                return processing_type_0
-            except (TypeError, ValueError, AttributeError, KeyError):
-                pass
-            return cast(CaseDetailProcessingType0 | None, data)
-
-        processing = _parse_processing(d.pop("processing"))
-
         def _parse_history(data: object) -> None | StoredHistory:
             if data is None:
                 return data
@@ -378,6 +367,23 @@ class CaseDetail:
             return cast(None | StoredHistory, data)
 
         history = _parse_history(d.pop("history"))
+
+        def _parse_processing(data: object) -> CaseDetailProcessingType0 | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                processing_type_0 = CaseDetailProcessingType0.from_dict(data)
+
+                return processing_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(CaseDetailProcessingType0 | None | Unset, data)
+
+        processing = _parse_processing(d.pop("processing", UNSET))
 
         case_detail = cls(
             speed_kmh=speed_kmh,
@@ -404,8 +410,8 @@ class CaseDetail:
             started_at=started_at,
             finished_at=finished_at,
             inputs=inputs,
-            processing=processing,
             history=history,
+            processing=processing,
         )
 
         case_detail.additional_properties = d
