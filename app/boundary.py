@@ -36,15 +36,10 @@ def bounded(cls: type, name: str, scale: float = 1.0, unit: str | None = None) -
 
 def described(q: Quantity, scale: float = 1.0, unit: str | None = None) -> Any:
     """The same of a quantity."""
-    bounds = {bound: _exact(value if scale == 1 else round(value * scale, 9)) for bound, value in q.bounds().items()}
+    bounds = {bound: value if scale == 1 else round(value * scale, 9) for bound, value in q.bounds().items()}
     description = ", ".join(filter(None, [q.meaning[0].upper() + q.meaning[1:], unit or q.unit])) + "."
     ge, gt, le, lt = map(bounds.get, ("ge", "gt", "le", "lt"))
     return Field(description=description, ge=ge, gt=gt, le=le, lt=lt)
-
-
-def _exact(bound: float) -> float:
-    """As an integer if it is one: written as a float, a bound of 2^63 is ambiguous."""
-    return int(bound) if bound == int(bound) else bound
 
 
 class Overrides(Strict):

@@ -7,6 +7,7 @@ from fastapi.openapi.utils import get_openapi
 
 from app import examples
 from app.problems import MEDIA_TYPE, ProblemDetails
+from app.requests import with_integers
 
 REFERENCE = "#/components/schemas/{model}"
 ALWAYS = {
@@ -34,7 +35,8 @@ NEW = {"CaseDetail": {"processing"}}
 def document(app: FastAPI) -> dict[str, Any]:
     """The document, made once."""
     if app.openapi_schema is None:
-        schema = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+        made = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+        schema = with_integers(made)  # of bounds it makes floats, which cannot tell 2^63 from its neighbours
         schemas = schema["components"]["schemas"]
         for name in ("HTTPValidationError", "ValidationError"):
             schemas.pop(name, None)

@@ -38,7 +38,7 @@ class JsonRequest(Request):
     async def json(self) -> Any:
         """The body as Python objects."""
         try:
-            return _with_integers(from_json(await self.body()))
+            return with_integers(from_json(await self.body()))
         except ValueError as error:
             raise Problem(400, f"The body is not JSON: {error}.") from None
 
@@ -64,11 +64,12 @@ async def _read(request: Request, limit: int) -> bytes:
     return b"".join(chunks)
 
 
-def _with_integers(value: Any) -> Any:
+def with_integers(value: Any) -> Any:
+    """What JSON says, with integers for floats that are some."""
     if isinstance(value, dict):
-        return {key: _with_integers(each) for key, each in value.items()}
+        return {key: with_integers(each) for key, each in value.items()}
     if isinstance(value, list):
-        return [_with_integers(each) for each in value]
+        return [with_integers(each) for each in value]
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
