@@ -20,7 +20,7 @@ PROGRAM = Path(sys.executable).parent / "schemathesis"
 @pytest.fixture(scope="module")
 def small_service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     """Takes small studies only, so that there is time to compute them."""
-    with served(tmp_path_factory.mktemp("fuzz") / "data", "--workers", "2", **SMALL) as service:
+    with served(tmp_path_factory.mktemp("fuzz") / "data", "--workers", "1", **SMALL) as service:
         yield service
 
 
