@@ -33,8 +33,8 @@ def work() -> None:
 
 @worker_init.connect  # type: ignore[untyped-decorator]  # as above
 def _prepare(**_: Any) -> None:
-    os.nice(POLITENESS)
     warm()  # before this worker says that it is there: no case waits for a compiler
+    os.nice(POLITENESS)
 
 
 @worker_ready.connect  # type: ignore[untyped-decorator]  # as above

@@ -15,6 +15,8 @@ import httpx
 import psutil
 import pytest
 
+from solver.warm import warm
+
 T = TypeVar("T")
 PROGRAM = [sys.executable, "-m", "worker.cli"]
 SMALL = {"track_length_m": 90, "elements_per_pad": 4, "settle_s": 0.3, "window_s": 0.2}
@@ -98,6 +100,7 @@ def clean_environment() -> dict[str, str]:
 @contextmanager
 def served(data: Path, *options: str, **environment: str) -> Iterator[Served]:
     """A service that is killed at the end, if it still runs."""
+    warm()  # here, once, rather than beside the tests' clocks
     service = Served(data, *options, **environment)
     try:
         yield service

@@ -7,6 +7,7 @@ from typing import Any
 
 from sqlalchemy import select
 
+from app.access.caller import ANYBODY
 from app.context import Context
 from app.db.models import Case, Peak
 from app.profiles import service as profiles
@@ -23,7 +24,7 @@ BAND = {"min": 2.0, "max": 30.0}
 
 
 def test_peaks_over_a_stored_profile_are_those_over_the_file(context: Context, tmp_path: Path) -> None:
-    stored = profiles.create(context, TEXT)
+    stored = profiles.create(context, TEXT, ANYBODY)
     measured: dict[str, Any] = {"kind": "measured", "wavelength_band_m": [BAND, {"min": 4.0, "max": 30.0}]}
     sweep = {"kind": "product", "speed_kmh": [300], "irregularity": measured | {"profile_id": stored.id}}
     study = {"name": "A line", "sweep": sweep, "numerics": QUICK}
