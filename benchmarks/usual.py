@@ -17,11 +17,12 @@ from scipy.sparse.linalg import splu, spsolve
 
 from solver.arrays import Array
 from solver.case import Case
-from solver.contact import close_contacts, hertz_constant
+from solver.contact import close_contacts
 from solver.integrator import integrator
 from solver.start import static_equilibrium
 from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
 from solver.vehicle import WHEELSETS, vehicle_matrices, wheel_positions
+from solver.wheel import hertz_constant
 
 HALF = 9  # diagonals on either side of the main one
 BODIES = (0, 2, 4, 6, 7, 8, 9)  # unknowns of the vehicle whose accelerations are recorded

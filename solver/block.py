@@ -8,7 +8,7 @@ import numpy as np
 from solver.arrays import Array, aligned_zeros
 from solver.case import Case
 from solver.channels import CHANNELS, TRACK
-from solver.contact import WHEELS, hertz_constant
+from solver.contact import WHEELS
 from solver.integrator import Integrator, integrator
 from solver.irregularity import sample
 from solver.joint import joint_operator, joint_state
@@ -17,12 +17,13 @@ from solver.march import march
 from solver.periodic import PeriodicOperator, periodic_operator
 from solver.record import sensors
 from solver.segments import padded, segments
+from solver.simd import MAX_LANES
 from solver.start import static_equilibrium
 from solver.state import SIZE, Operator, State, Vehicles
 from solver.track import NODE, TrackModel
 from solver.vehicle import WHEELSETS, vehicle_matrices, wheel_positions
+from solver.wheel import hertz_constant
 
-MAX_LANES = 8  # as many doubles as the widest registers hold; more gained nothing, fewer cost more each
 FEW = 2  # cases that take less time one after the other, each in all lanes, than side by side in a block
 LIMIT = 0.1  # m of rail displacement beyond which a run has diverged
 

@@ -3,24 +3,11 @@
 import numpy as np
 
 from solver.arrays import Array
-from solver.case import Vehicle
-from solver.catalogue import TREADS
 from solver.compiled import compiled
 
 WHEELS = 4
 _ITERATIONS = 60
 _TOLERANCE = 1e-15  # m; penetrations are near 1e-4
-
-
-def hertz_constant(vehicle: Vehicle) -> float:
-    """G of ``F = (penetration / G)^(3/2)``, m/N^(2/3)."""
-    tread = TREADS[vehicle.wheel_tread].values
-    return float(tread.factor * vehicle.wheel_radius**tread.exponent)
-
-
-def hertz_stiffness(constant: float, force: float) -> float:
-    """Slope dF/d(penetration) at a force, N/m."""
-    return 1.5 * force ** (1 / 3) / constant
 
 
 @compiled

@@ -194,12 +194,12 @@ class JointTemplates:
     column : ndarray, shape (phases, 2, rows, 2)
         Mass and damping: nodal rows, joint columns.
     row : ndarray, shape (phases, 2, rows, 2)
-        Mass and damping: joint rows (transposed), nodal columns.
+        Mass and damping: joint rows (transposed), nodal columns, times the integrator's factors of the step's matrix.
     own : ndarray, shape (2, 2, 2)
         Mass and damping among the joint's unknowns.
     probe : ndarray, shape (phases, rows, 2)
         Joint rows (transposed) of the step's matrix.
-    window : ndarray, shape (phases, window rows, 2)
+    window : ndarray, shape (phases, 2, window rows)
         ``A^-1`` times the joint's columns.
     window_lead : int
         Rows by which a window begins before the joint's first node.
@@ -232,7 +232,6 @@ class JointTemplates:
     def none(cls) -> "JointTemplates":
         """Templates where there are no joints."""
         integers, blocks = np.zeros(1, np.int64), np.zeros((1, 2, 0, 2))
-        empty = np.zeros((1, 0, 2))
         return cls(
             element=integers,
             place=np.zeros(1),
@@ -241,8 +240,8 @@ class JointTemplates:
             column=blocks,
             row=blocks,
             own=np.zeros((2, 2, 2)),
-            probe=empty,
-            window=empty,
+            probe=np.zeros((1, 0, 2)),
+            window=np.zeros((1, 2, 0)),
             window_lead=0,
             remainder=np.zeros((1, 2, 2)),
             coupling=np.zeros((1, 1, 2, 2)),

@@ -38,7 +38,7 @@ class Stencils(NamedTuple):
     pad_element: Array  # (phases,)
     pad_weights: Array  # (phases, 4)
     unknowns: int  # of the track; arrays that are cut into segments may be longer
-    left: Array  # (unknowns,) what a step leaves of a node's velocity and, in every second row, its slope, 1/m
+    left: Array  # (unknowns, padded) what a step leaves of a node's velocity and, in every second row, its slope, 1/m
 
 
 def stencils(model: TrackModel, scheme: Integrator) -> Stencils:

@@ -10,7 +10,7 @@ from solver.arrays import Array
 from solver.channels import Channel
 from solver.observables import OBSERVABLES
 from solver.simulate import Response
-from solver.vehicle import static_wheel_load
+from solver.wheel import static_wheel_load
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,9 +13,10 @@ from solver.arrays import Array, aligned_zeros
 from solver.banded import backward, backward_node, by_pivots, forward, forward_node, load_node, nothing, store_node
 from solver.compiled import compiled
 from solver.periodic import PeriodicOperator
+from solver.simd import MAX_LANES
 from solver.track import NODE
 
-SEGMENTS = 8
+SEGMENTS = MAX_LANES
 TOGETHER = (0.0,) * SEGMENTS
 ALONE = (0.0,)
 

@@ -17,6 +17,8 @@ from numba.core.datamodel.registry import register_default
 
 from solver.compiled import emitted
 
+MAX_LANES = 8  # as many doubles as the widest registers hold; more gained nothing, fewer cost more each
+
 
 class Lanes(types.Type):
     """A vector of ``width`` doubles."""
@@ -71,7 +73,7 @@ def _broadcast(builder: Any, scalar: Any, width: int) -> Any:
     if isinstance(scalar.type, ir.VectorType):
         return scalar
     empty = ir.Constant(_vector(width), ir.Undefined)
-    one = builder.insert_element(empty, scalar, ir.Constant(ir.IntType(32), 0))
+    one = builder.insert_element(empty, scalar, _index(0))
     return builder.shuffle_vector(one, empty, ir.Constant(ir.VectorType(ir.IntType(32), width), [0] * width))
 
 

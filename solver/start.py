@@ -4,8 +4,8 @@ import numpy as np
 
 from solver.arrays import Array
 from solver.case import Vehicle
-from solver.contact import hertz_constant
-from solver.vehicle import SIZE, WHEELSETS, static_wheel_load, vehicle_matrices
+from solver.vehicle import SIZE, WHEELSETS, vehicle_matrices
+from solver.wheel import hertz_constant, static_wheel_load
 
 
 def static_equilibrium(vehicle: Vehicle, compliance: Array) -> tuple[Array, Array, Array]:

@@ -10,8 +10,8 @@ import numpy as np
 
 from solver.arrays import Array
 from solver.case import Vehicle
+from solver.wheel import GRAVITY
 
-GRAVITY = 9.81
 CAR_BODY, BOGIES, WHEELSETS = 0, (2, 4), slice(6, 10)
 SIZE = 10
 
@@ -30,12 +30,6 @@ def wheel_positions(vehicle: Vehicle) -> Array:
     """Positions of the wheelsets ahead of the car's centre, m, front first."""
     a, b = vehicle.half_bogie_distance, vehicle.half_wheelbase
     return np.array([a + b, a - b, -a + b, -a - b])
-
-
-def static_wheel_load(vehicle: Vehicle) -> float:
-    """Weight on one wheel, N."""
-    mass = vehicle.car_body_mass + 2 * vehicle.bogie_mass + 4 * vehicle.wheelset_mass
-    return mass * GRAVITY / 8
 
 
 def _springs(vehicle: Vehicle, primary: float, secondary: float) -> Array:

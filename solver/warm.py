@@ -4,10 +4,11 @@ import fcntl
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from solver.block import MAX_LANES, Block
+from solver.block import Block
 from solver.case import Case, Numerics, Smooth
 from solver.catalogue import TRACKS, VEHICLES
 from solver.compiled import CACHE
+from solver.simd import MAX_LANES
 
 
 def warm() -> None:

@@ -16,7 +16,8 @@ from sqlalchemy.orm import Session
 from app import events
 from app.db.models import Case
 from app.db.types import Clock
-from solver.block import MAX_LANES, lane_width
+from solver.block import lane_width
+from solver.simd import MAX_LANES
 from worker import presence
 from worker.lease import Lease
 
@@ -71,8 +72,8 @@ def _share(session: Session, head: Row[Any], worker: str, lanes: int) -> int:
     """How many cases to take of those with the operator of the first, itself included.
 
     Their number, queued or running, divided by that of the workers that are there: what others run is their part, so
-    the share stays the same until the last is claimed, also when two claim at once. From three on
-    it is as many as a block has lanes, as lanes left empty would be computed all the same.
+    the share stays the same until the last is claimed, also when two claim at once. From three on it is as many as a
+    block has lanes, as lanes left empty would be computed all the same.
     """
     if head.attempt > 0:
         return 1

@@ -16,12 +16,12 @@ from app.profiles.repository import samples
 from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
-from solver.block import MAX_LANES
 from solver.case import Case
 from solver.errors import SolverError
 from solver.peaks import peaks
 from solver.processing import processing
 from solver.railhead import Samples
+from solver.simd import MAX_LANES
 from solver.simulate import Response, solve
 from worker import lease, presence, verification
 from worker.claim import Claim, claim

@@ -3,8 +3,8 @@
 import json
 from typing import Any, BinaryIO
 
-import pyarrow as pa  # type: ignore[import-untyped]  # it has no types
-import pyarrow.parquet as pq  # type: ignore[import-untyped]
+import pyarrow as pa
+import pyarrow.parquet as pq
 
 from app.histories.archive import Archive
 

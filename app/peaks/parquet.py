@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from importlib.metadata import version
 from typing import Any, get_args
 
-import pyarrow as pa  # type: ignore[import-untyped]  # it has no types
-import pyarrow.parquet as pq  # type: ignore[import-untyped]
+import pyarrow as pa
+import pyarrow.parquet as pq
 from sqlalchemy import Row
 
 from app.db.models import STATISTICS

@@ -4,9 +4,8 @@ import math
 from functools import lru_cache
 
 from solver.case import Track, Vehicle
-from solver.catalogue import TREADS
+from solver.wheel import hertz_constant, hertz_stiffness, static_wheel_load
 
-GRAVITY = 9.81  # m/s^2
 LOWEST, HIGHEST, FREQUENCIES = 20.0, 160.0, 70  # Hz, in equal ratios
 WAVENUMBERS = 240
 LARGEST_WAVENUMBER = 12.0  # rad/m; beyond, nothing of a rail bends at these frequencies
@@ -19,10 +18,7 @@ def p2_hz(track: Track, vehicle: Vehicle) -> float:
     The force is the wave over the sum of three receptances: of the track at its load, of half a wheelset under a bogie
     at rest, and of the contact as a spring under the static load.
     """
-    tread = TREADS[vehicle.wheel_tread].values
-    masses = vehicle.car_body_mass + 2 * vehicle.bogie_mass + 4 * vehicle.wheelset_mass
-    hertz = tread.factor * vehicle.wheel_radius**tread.exponent
-    contact = 1.5 * (masses * GRAVITY / 8) ** (1 / 3) / hertz
+    contact = hertz_stiffness(hertz_constant(vehicle), static_wheel_load(vehicle))
     ratio = (HIGHEST / LOWEST) ** (1 / (FREQUENCIES - 1))
 
     def softness(hz: float) -> float:

@@ -12,9 +12,10 @@ from solver.case import Case, Numerics, Smooth
 from solver.reference.layered import LayeredTrack
 from solver.reference.winkler import WinklerBeam
 from solver.track import BASE, NODE, RAIL, SLAB, TrackModel
-from solver.vehicle import static_wheel_load, wheel_positions
+from solver.vehicle import wheel_positions
 from solver.verification.finding import Bound, Comparison, Curve, Finding, Plot
 from solver.verification.problems import QUICK, SMEARABLE, TRACK, WORN, history, make_case, solved
+from solver.wheel import static_wheel_load
 
 
 def _deflection(model: TrackModel, beam: int, loads: Array, load: Array, at: float) -> float:

@@ -14,13 +14,13 @@ from solver.arrays import Array
 from solver.beam import hermite
 from solver.block import Block
 from solver.case import Case
-from solver.contact import hertz_constant
 from solver.joint import enrichment
 from solver.joint_kernels import first_joint, joint_row
 from solver.track import BASE, RAIL, SLAB
 from solver.vehicle import vehicle_matrices
 from solver.verification.finding import Comparison, Curve, Finding, Plot, Row
 from solver.verification.problems import SINE, TRACK, WORN, jointed, make_case, over_one_repeat
+from solver.wheel import hertz_constant
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(4)
 POINTS, WEIGHTS = (POINTS + 1) / 2, WEIGHTS / 2

@@ -10,7 +10,8 @@ from solver.case import Case, Spectral, WheelTread
 from solver.catalogue import SPECTRA, TRACKS, TREADS, VEHICLES, Mark
 from solver.catalogue.entry import Source, of_every_value
 from solver.reference.layered import LayeredTrack
-from solver.vehicle import static_wheel_load, wheel_positions
+from solver.vehicle import wheel_positions
+from solver.wheel import static_wheel_load
 
 CATALOGUES = {"vehicle": VEHICLES, "track": TRACKS, "spectrum": SPECTRA, "tread": TREADS}
 ENTRIES = [pytest.param(entry, id=name) for catalogue in CATALOGUES.values() for name, entry in catalogue.items()]

@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.catalogue import VEHICLES
-from solver.contact import close_contacts, hertz_constant, hertz_stiffness
+from solver.contact import close_contacts
+from solver.wheel import hertz_constant, hertz_stiffness
 
 VEHICLE = VEHICLES["crh3"].values
 

@@ -4,7 +4,8 @@ from scipy.linalg import eigh
 
 from solver.catalogue import VEHICLES
 from solver.start import static_equilibrium
-from solver.vehicle import static_wheel_load, vehicle_matrices, wheel_positions
+from solver.vehicle import vehicle_matrices, wheel_positions
+from solver.wheel import static_wheel_load
 
 VEHICLE = VEHICLES["crh3"].values
 

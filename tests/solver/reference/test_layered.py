@@ -6,7 +6,8 @@ import pytest
 from solver.catalogue import TRACKS, VEHICLES
 from solver.reference.layered import LayeredTrack, contact_force, wheel_receptance
 from solver.reference.winkler import WinklerBeam
-from solver.vehicle import static_wheel_load, vehicle_matrices, wheel_positions
+from solver.vehicle import vehicle_matrices, wheel_positions
+from solver.wheel import static_wheel_load
 
 TRACK = replace(TRACKS["crts2"].values, pad_spacing=0.625)
 VEHICLE = replace(VEHICLES["crh3"].values, wheel_tread="conical")
