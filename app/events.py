@@ -8,7 +8,7 @@ before it is known who commits first, and a follower who asks for all after the 
 from collections.abc import Sequence
 from typing import Any
 
-from sqlalchemy import exists, select, update
+from sqlalchemy import exists, insert, select, update
 from sqlalchemy.orm import Session
 
 from app.db.models import Case, CaseState, Event, EventKind, Study, StudyCase
@@ -19,9 +19,8 @@ LIVE = Study.cancel_requested_at.is_(None)  # a study that was cancelled hears n
 
 
 def record(session: Session, study_id: str, kind: EventKind, payload: dict[str, Any]) -> None:
-    """Write one event."""
-    session.add(Event(study_id=study_id, kind=kind, payload=payload))
-    session.flush()  # numbered now: later events of this transaction come later
+    """Write one event. It is numbered now: later events of this transaction come later."""
+    session.execute(insert(Event), {"study_id": study_id, "kind": kind, "payload": payload})
 
 
 def cases_started(session: Session, case_ids: Sequence[int]) -> None:

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import delete, exists, select, update
+from sqlalchemy import delete, exists, insert, select, update
 from sqlalchemy.orm import Session
 
 from app import events
@@ -86,10 +86,10 @@ def succeed(
     _end(session, held, "succeeded", {"progress": 1.0, "cpu_s": cpu_s, "processing": processing, "error": None})
     session.execute(delete(Peak).where(Peak.case_id == held.case_id))
     case = session.execute(select(Case.speed_kmh, Case.percentile).where(Case.id == held.case_id)).one()
-    session.add_all(Peak(case_id=held.case_id, **case._mapping, **peak) for peak in peaks)
+    session.execute(insert(Peak), [{"case_id": held.case_id, **case._mapping, **peak} for peak in peaks])
     if history is not None:
         session.execute(delete(History).where(History.case_id == held.case_id))
-        session.add(History(case_id=held.case_id, **history))
+        session.execute(insert(History), {"case_id": held.case_id, **history})
     events.case_ended(session, held.case_id, "succeeded")
     return True
 

@@ -98,7 +98,9 @@ class Keeper:
                 stdout=output,
                 stderr=output,
                 pass_fds=self.part.pass_fds,
-                start_new_session=True,  # the terminal's Ctrl-C is for the supervisor alone
+                # The terminal's Ctrl-C is for the supervisor alone. Not a session of its own: Linux weighs the
+                # niceness of processes only within one.
+                process_group=0,
                 preexec_fn=partial(_die_with, os.getpid()) if sys.platform == "linux" else None,
             )
         self._log.info("part started", pid=process.pid)
