@@ -38,8 +38,11 @@ numba.config.CACHE_DIR = str(CACHE)  # type: ignore[attr-defined]  # set at impo
 
 
 def compiled(function: Function) -> Function:
-    """Compile a function to machine code on its first call and keep the code on disk."""
-    return cast(Function, njit(cache=True)(function))
+    """Compile a function to machine code on its first call and keep the code on disk.
+
+    While it runs, other threads of Python may: they may hold locks of a database, and must not wait with them.
+    """
+    return cast(Function, njit(cache=True, nogil=True)(function))
 
 
 def inlined(function: Function) -> Function:
