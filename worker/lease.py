@@ -86,7 +86,8 @@ def succeed(
     _end(session, held, "succeeded", {"progress": 1.0, "cpu_s": cpu_s, "processing": processing, "error": None})
     session.execute(delete(Peak).where(Peak.case_id == held.case_id))
     case = session.execute(select(Case.speed_kmh, Case.percentile).where(Case.id == held.case_id)).one()
-    session.execute(insert(Peak), [{"case_id": held.case_id, **case._mapping, **peak} for peak in peaks])
+    if rows := [{"case_id": held.case_id, **case._mapping, **peak} for peak in peaks]:
+        session.execute(insert(Peak), rows)
     if history is not None:
         session.execute(delete(History).where(History.case_id == held.case_id))
         session.execute(insert(History), {"case_id": held.case_id, **history})

@@ -70,7 +70,9 @@ def enqueue(
     lacking = {digest for digest, row in known.items() if keep_history and row.state == "succeeded" and row.key is None}
     revived = lacking | {digest for digest, row in known.items() if row.state == "cancelled"}
     new = rows.keys() - known.keys()
-    waiting = [digest for digest in rows if digest in new | revived or known[digest].state in UNFINISHED]
+    begun = {digest for digest, row in known.items() if row.state in UNFINISHED}
+    queued = new | revived | begun
+    waiting = [digest for digest in rows if digest in queued]
     turns = {digest: begin + n for n, digest in enumerate(waiting)}
     revive(session, [known[digest].id for digest in revived], charged_to)
     if places := list(_places(rows, known, revived, turns)):

@@ -44,7 +44,7 @@ class Interval:
 # Processor time per unknown and step. `python -m benchmarks.contenders` prints what one step of 15 480 unknowns takes:
 # ms_per_lane_and_step where eight cases are computed side by side, ms_per_step_one_case for one alone. The least is of
 # the former, the most of the latter on a machine that takes twice the time.
-BENCHMARK = Interval(1e-8, 4.5e-9, 5e-8)
+BENCHMARK = Interval(5e-9, 2.8e-9, 1.7e-8)
 
 
 class Load(NamedTuple):
