@@ -1,5 +1,6 @@
 """The schema's history, applied from the installed package: ``upgrade(url)``."""
 
+import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -7,10 +8,20 @@ from pathlib import Path
 from alembic import command
 from alembic.config import Config
 from sqlalchemy import Connection, text
+from sqlalchemy.exc import OperationalError
 
 from app.db.session import create_engine_for
 
+# Who waits for a table that somebody reads lets nobody else read it meanwhile: better give up soon.
+LOCK_TIMEOUT_MS = 5_000
+STATEMENT_TIMEOUT_MS = 15 * 60_000  # an index on millions of peaks takes minutes
+
 _LOCK = 7_305_118_203_714_511  # any number, as long as every migration takes the same
+_BLOCKED = {"55P03": "waited for a lock", "57014": "took", sqlite3.SQLITE_BUSY: "waited for the write lock"}
+
+
+class BlockedError(Exception):
+    """A migration that gave up; nothing was changed."""
 
 
 @contextmanager
@@ -19,15 +30,35 @@ def transaction(url: str) -> Iterator[Connection]:
 
     SQLite alters a table by building it anew and dropping the old one, which with foreign keys enforced would take
     all rows that refer to it along: they are not enforced here.
+
+    Raises
+    ------
+    BlockedError
+        If somebody else uses the database in a way that leaves no room.
     """
     engine = create_engine_for(url, foreign_keys=False)
     try:
         with engine.begin() as connection:
             if connection.dialect.name == "postgresql":
+                connection.execute(text("SET LOCAL lock_timeout = 0"))  # another migration has time-outs of its own
                 connection.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": _LOCK})
+                connection.execute(text(f"SET LOCAL lock_timeout = {LOCK_TIMEOUT_MS}"))
+                connection.execute(text(f"SET LOCAL statement_timeout = {STATEMENT_TIMEOUT_MS}"))
             yield connection
+    except OperationalError as error:
+        if (why := _why_blocked(error)) is None:
+            raise
+        raise BlockedError(
+            f"The migration {why} for too long and was given up; nothing was changed. Somebody reads or writes the "
+            "database: try again later, or stop the service, and whatever else is connected, first."
+        ) from error
     finally:
         engine.dispose()
+
+
+def _why_blocked(error: OperationalError) -> str | None:
+    code = getattr(error.orig, "sqlstate", None) or getattr(error.orig, "sqlite_errorcode", None)
+    return _BLOCKED.get(code)
 
 
 def config_for(connection: Connection) -> Config:
@@ -51,7 +82,9 @@ def upgrade(url: str, revision: str = "head") -> None:
     Raises
     ------
     sqlalchemy.exc.OperationalError
-        The database cannot be reached or stays locked.
+        The database cannot be reached.
+    BlockedError
+        It stays locked.
     """
     with transaction(url) as connection:
         command.upgrade(config_for(connection), revision)

@@ -18,6 +18,7 @@ from app.db.models import Case
 from app.db.types import Clock
 from solver.block import lane_width
 from solver.simd import MAX_LANES
+from solver.version import SOLVER_VERSION
 from worker import presence
 from worker.lease import Lease
 
@@ -65,7 +66,7 @@ def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES)
 
 def _queued() -> Select[Any]:
     columns = Case.id, Case.digest, Case.inputs, Case.operator_key, Case.solver_version, Case.priority, Case.attempt
-    return select(*columns).where(Case.state == "queued")
+    return select(*columns).where(Case.state == "queued", Case.solver_version == SOLVER_VERSION)
 
 
 def _share(session: Session, head: Row[Any], worker: str, lanes: int) -> int:

@@ -62,7 +62,7 @@ def migrate() -> None:
     settings.data_dir.mkdir(mode=0o700, parents=True, exist_ok=True)
     try:
         migrations.upgrade(settings.resolved_database_url)
-    except SQLAlchemyError as error:
+    except (SQLAlchemyError, migrations.BlockedError) as error:
         fail(error)
 
 

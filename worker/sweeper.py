@@ -17,6 +17,7 @@ from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import STORE_ERRORS, HistoryStore
 from worker import lease, presence, verification
+from worker.adopt import adopt
 
 LONGEST_PAUSE_S = 5.0
 ORPHANED_AFTER_S = 3600.0  # an object this old, of which no row tells, will never be told of
@@ -39,6 +40,7 @@ def sweep(session: Session, max_attempts: int) -> bool:
         log.warning("lease expired", case_id=row.id, attempt=row.attempt, worker=row.worker)
         lease.give_up(session, held, max_attempts, f"worker {row.worker} fell silent")
     session.execute(delete(IdempotencyKey).where(IdempotencyKey.created_at < Clock() - KEPT_S))
+    adopt(session)
     queued, due = select(Case.id).where(Case.state == "queued"), select(Verification.id).where(verification.due())
     return bool(session.scalar(select(exists(queued) | exists(due))))
 
