@@ -18,9 +18,11 @@ from app.settings import Settings
 from app.storage import STORE_ERRORS, HistoryStore
 from worker import lease, presence, verification
 from worker.adopt import adopt
+from worker.retention import expire
 
 LONGEST_PAUSE_S = 5.0
 ORPHANED_AFTER_S = 3600.0  # an object this old, of which no row tells, will never be told of
+EXPIRE_EVERY_S = 3600.0
 
 log = structlog.get_logger()
 
@@ -80,7 +82,7 @@ class Sweeper:
         self._database.close()
 
     def _run(self) -> None:
-        collected_at = -math.inf
+        collected_at = expired_at = -math.inf
         while True:
             try:
                 with self._database.write() as session:
@@ -88,6 +90,10 @@ class Sweeper:
                     queued = sweep(session, self._settings.max_attempts)
                 if queued:
                     self._doorbell.ring()
+                if self._settings.retention_days and time.monotonic() - expired_at > EXPIRE_EVERY_S:
+                    with self._database.write() as session:
+                        if not expire(session, self._settings.retention_days):  # or the next sweep goes on
+                            expired_at = time.monotonic()
                 if time.monotonic() - collected_at > ORPHANED_AFTER_S:
                     collected_at = time.monotonic()
                     with self._database.read() as session:

@@ -108,12 +108,7 @@ def retry(context: Context, study_id: str, caller: Caller = ANYBODY) -> StudyDet
 
 
 def remove(context: Context, study_id: str) -> None:
-    """Delete a study that has ended.
-
-    Cases of other studies stay as they are. Of the rest, those that succeeded stay too, with their peaks: they are
-    results, small and dear, which the next study that contains them need not compute again. Failed and cancelled ones
-    go, so that such a study tries them anew. Histories are large and kept on request: those that no other study asked
-    to keep are forgotten here, and the sweeper deletes the objects.
+    """Delete a study that has ended, as :func:`forget` does.
 
     Raises
     ------
@@ -124,15 +119,26 @@ def remove(context: Context, study_id: str) -> None:
         study = _find(session, study_id)
         if (state := service.get(session, study_id).state) in ("queued", "running"):
             raise Problem(409, f"The study is {state}. Cancel it before you delete it.", code="study-not-ended")
-        ids = session.scalars(select(StudyCase.case_id).where(StudyCase.study_id == study_id)).all()
-        session.delete(study)
-        session.flush()
-        studies = select(StudyCase).where(StudyCase.case_id == Case.id)
-        keeping = select(Study).join(StudyCase).where(StudyCase.case_id == History.case_id, Study.keep_history)
-        for some in queue.batches(ids):
-            session.execute(delete(History).where(History.case_id.in_(some), ~exists(keeping)))
-            worthless = Case.state.in_(["failed", "cancelled"])
-            session.execute(delete(Case).where(Case.id.in_(some), worthless, ~exists(studies)))
+        forget(session, study)
+
+
+def forget(session: Session, study: Study) -> None:
+    """Delete a study that has ended.
+
+    Cases of other studies stay as they are. Of the rest, those that succeeded stay too, with their peaks: they are
+    results, small and dear, which the next study that contains them need not compute again. Failed and cancelled ones
+    go, so that such a study tries them anew. Histories are large and kept on request: those that no other study asked
+    to keep are forgotten here, and the sweeper deletes the objects.
+    """
+    ids = session.scalars(select(StudyCase.case_id).where(StudyCase.study_id == study.id)).all()
+    session.delete(study)
+    session.flush()
+    studies = select(StudyCase).where(StudyCase.case_id == Case.id)
+    keeping = select(Study).join(StudyCase).where(StudyCase.case_id == History.case_id, Study.keep_history)
+    for some in queue.batches(ids):
+        session.execute(delete(History).where(History.case_id.in_(some), ~exists(keeping)))
+        worthless = Case.state.in_(["failed", "cancelled"])
+        session.execute(delete(Case).where(Case.id.in_(some), worthless, ~exists(studies)))
 
 
 def _find(session: Session, study_id: str) -> Study:
