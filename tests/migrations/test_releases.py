@@ -31,6 +31,7 @@ from worker.cli import program
 from worker.sweeper import sweep
 
 RELEASES = sorted(folder.name for folder in DATABASES.iterdir())
+the_first = pytest.mark.parametrize("release", RELEASES[:1], indirect=True)
 
 
 @pytest.fixture(params=RELEASES)
@@ -106,7 +107,8 @@ def test_what_was_queued_is_computed_under_the_present_version(old_url: str) -> 
     database.close()
 
 
-def test_what_a_newer_study_has_too_is_not_computed_twice(old_url: str, tmp_path: Path) -> None:
+@the_first
+def test_what_a_newer_study_has_too_is_not_computed_twice(old_url: str) -> None:
     migrations.upgrade(old_url)
     database = Database(old_url)
     with database.write() as session:
@@ -137,6 +139,7 @@ def test_a_case_of_a_newer_solver_waits_for_who_knows_it(database: Database) -> 
         assert claim(session, "test", 15.0) == []
 
 
+@the_first
 def test_a_long_reader_ends_the_upgrade_and_not_the_other_way_round(
     old_url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -167,6 +170,7 @@ def test_a_statement_without_end_is_given_up(empty_url: str, monkeypatch: pytest
         connection.execute(text("SELECT pg_sleep(60)"))
 
 
+@the_first
 def test_two_programs_migrate_at_once(old_url: str, tmp_path: Path) -> None:
     variables = {"TRACKSWEEP_DATA_DIR": str(tmp_path), "TRACKSWEEP_DATABASE_URL": old_url}
     with ThreadPoolExecutor(2) as pool:
