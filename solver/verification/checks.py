@@ -57,12 +57,11 @@ CHECKS: tuple[Check, ...] = (
         title="Pinned-pinned frequency",
         how="The rail's receptance half-way between two pads peaks at (π/2) √(EI/m) / L².",
         run=closed_form.pinned_pinned,
-        quick=True,
     ),
     Check(
-        title="Sine, frequency domain (two speeds)",
+        title="Sine, frequency domain (one speed)",
         how="Three infinite layers, all ten degrees of freedom, linearised contact.",
-        run=partial(frequency_domain.harmonic, (200.0, 350.0)),
+        run=partial(frequency_domain.harmonic, (350.0,)),
         quick=True,
     ),
     Check(
