@@ -34,7 +34,7 @@ def estimate_study(study: StudyRequest, context: ContextDep, caller: CallerDep) 
     return estimate(context, study, caller)
 
 
-@router.post("", status_code=201)
+@router.post("", status_code=201, responses={409: {"description": "A request with the same key is in progress"}})
 def create_study(
     study: StudyRequest,
     context: ContextDep,

@@ -37,15 +37,24 @@ def create(context: Context, request: StudyRequest, key: str | None, caller: Cal
     Raises
     ------
     Problem
-        422 if the study is too large, its values contradict each other, or the key belongs to another request; 429 if
-        the caller's quota is used up.
+        409 if a request with the key is in progress; 422 if the study is too large, its values contradict each other,
+        or the key belongs to another request; 429 if the caller's quota is used up.
     """
     check_priority(caller, request.priority)
+    if key is None:
+        return _create(context, request, None, caller)
+    key = idempotency.key_of(caller.key_id, key)
+    with context.in_progress.only(key):
+        return _create(context, request, key, caller)
+
+
+def _create(context: Context, request: StudyRequest, key: str | None, caller: Caller) -> StudyDetail:
     cases = expand(context, request, caller)
-    key = key and idempotency.key_of(caller.key_id, key)
     rows = {row["digest"]: row for row in (row_of(case, request.priority) for case in cases)}
     digest = hashlib.sha256(request.model_dump_json().encode()).hexdigest()
     with context.database.write() as session:
+        if key is not None:
+            idempotency.hold(session, key)
         queue.one_at_a_time(session)
         if key is not None and (answer := idempotency.recall(session, key, digest)) is not None:
             return StudyDetail.model_validate(answer)

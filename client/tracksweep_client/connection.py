@@ -79,7 +79,7 @@ def _pause_s(response: httpx.Response, attempt: int) -> float | None:
     Nothing is done twice by that: a request that was told to come back later has had no effect.
     """
     later = response.headers.get("Retry-After", "")
-    if response.status_code not in (429, 503) or not later.isdecimal() or attempt >= ATTEMPTS:
+    if response.status_code not in (409, 429, 503) or not later.isdecimal() or attempt >= ATTEMPTS:
         return None
     return float(later) if float(later) <= LONGEST_PAUSE_S else None
 

@@ -1,15 +1,17 @@
 """Studies changed, cancelled, retried and deleted, on both databases. The workers here only claim and finish."""
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from typing import Any
 
 import httpx
 import pytest
 from sqlalchemy import func, select
 
+from app.cases import queue
 from app.db.models import Case, Event, History, Peak, Study, StudyCase
 from app.db.session import Database
+from app.settings import Settings
 from worker import lease
 from worker.claim import Claim, claim
 
@@ -324,11 +326,36 @@ def test_a_verification_is_asked_for_and_read(
 # --- many at once
 
 
-def test_fifty_requests_with_one_key_make_one_study(client: httpx.Client, database: Database, study: Body) -> None:
+def create(client: httpx.Client, study: Body) -> httpx.Response:
+    return client.post("/v1/studies", json=study, headers={"Idempotency-Key": "k"})
+
+
+def test_fifty_requests_with_one_key_make_one_study(
+    client: httpx.Client, database: Database, study: Body, problem: Check
+) -> None:
     with ThreadPoolExecutor(50) as pool:
-        sent = pool.map(lambda _: client.post("/v1/studies", json=study, headers={"Idempotency-Key": "k"}), range(50))
-        answers = list(sent)
-    assert {answer.status_code for answer in answers} == {201}
-    assert len({answer.text for answer in answers}) == 1
+        answers = list(pool.map(lambda _: create(client, study), range(50)))
+    (first,) = {answer.text for answer in answers if answer.status_code == 201}
+    for answer in answers:
+        assert answer.status_code == 201 or problem(answer, 409, "idempotency-key-in-progress")
+    assert create(client, study).text == first
+    problem(create(client, study | {"name": "Another"}), 422)
     with database.read() as session:
         assert session.scalar(select(func.count()).select_from(Study)) == 1
+
+
+def test_who_comes_while_the_first_is_in_progress_is_told_so(
+    client: httpx.Client, settings: Settings, serve: Any, database: Database, study: Body, problem: Check
+) -> None:
+    """By another process, too, where the database serves several."""
+    with serve(settings) as other, ThreadPoolExecutor(2) as pool:
+        with database.write() as session:
+            session.connection()  # on SQLite nobody else writes from here on, and on PostgreSQL from here:
+            queue.one_at_a_time(session)
+            servers = client, client if database.engine.name == "sqlite" else other
+            sent = [pool.submit(create, each, study) for each in servers]
+            refused = next(as_completed(sent)).result()
+            problem(refused, 409, "idempotency-key-in-progress")
+            assert int(refused.headers["Retry-After"]) > 0
+        (first,) = {text for each in sent if (text := each.result().text) != refused.text}
+    assert create(client, study).text == first

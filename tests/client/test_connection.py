@@ -43,13 +43,14 @@ def to(transport: httpx.BaseTransport) -> Service:
 def test_it_comes_back_when_told_to_with_the_same_key() -> None:
     seen: list[httpx.Request] = []
     problem = httpx.Response(422, json=LOST | {"status": 422}, headers={"Content-Type": "application/problem+json"})
-    busy = to(answering(iter([httpx.Response(**BUSY), httpx.Response(**BUSY | {"status_code": 429}), problem]), seen))
+    soon = [httpx.Response(**BUSY | {"status_code": status}) for status in (503, 429, 409)]
+    busy = to(answering(iter([*soon, problem]), seen))
     with pytest.raises(ProblemError) as caught:
         busy.submit({"name": "A study"})
     assert (caught.value.status, caught.value.code) == (422, "not-found")
     assert [error.pointer for error in caught.value.errors] == ["/name"]
     assert str(caught.value) == "There is no such study.\n  /name: Field required"
-    assert [json.loads(request.content) for request in seen] == [{"name": "A study"}] * 3
+    assert [json.loads(request.content) for request in seen] == [{"name": "A study"}] * 4
     assert len({request.headers["Idempotency-Key"] for request in seen}) == 1
 
 

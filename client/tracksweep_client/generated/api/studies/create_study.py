@@ -56,6 +56,11 @@ def _parse_response(
 
         return response_403
 
+    if response.status_code == 409:
+        response_409 = ProblemDetails.from_dict(response.json())
+
+        return response_409
+
     if response.status_code == 413:
         response_413 = ProblemDetails.from_dict(response.json())
 
@@ -111,7 +116,7 @@ def sync_detailed(
     Args:
         idempotency_key (str | Unset): Any unique text. A repeated request with the same key and
             body gets the first answer again, for 24 hours; one that comes while the first is still in
-            progress waits for it.
+            progress is answered 409 and may be sent again.
         body (StudyRequest): A parametric study: a sweep of one model.
 
     Raises:
@@ -147,7 +152,7 @@ def sync(
     Args:
         idempotency_key (str | Unset): Any unique text. A repeated request with the same key and
             body gets the first answer again, for 24 hours; one that comes while the first is still in
-            progress waits for it.
+            progress is answered 409 and may be sent again.
         body (StudyRequest): A parametric study: a sweep of one model.
 
     Raises:
@@ -178,7 +183,7 @@ async def asyncio_detailed(
     Args:
         idempotency_key (str | Unset): Any unique text. A repeated request with the same key and
             body gets the first answer again, for 24 hours; one that comes while the first is still in
-            progress waits for it.
+            progress is answered 409 and may be sent again.
         body (StudyRequest): A parametric study: a sweep of one model.
 
     Raises:
@@ -212,7 +217,7 @@ async def asyncio(
     Args:
         idempotency_key (str | Unset): Any unique text. A repeated request with the same key and
             body gets the first answer again, for 24 hours; one that comes while the first is still in
-            progress waits for it.
+            progress is answered 409 and may be sent again.
         body (StudyRequest): A parametric study: a sweep of one model.
 
     Raises:
