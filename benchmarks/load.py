@@ -1,4 +1,4 @@
-"""How quickly the API answers while both workers compute, and what a study of ten thousand cases takes.
+"""How quickly the API answers while both workers compute.
 
 python -m benchmarks.load [--clients N] [--turns N] [--pause S]
 """
@@ -11,7 +11,6 @@ from typing import Any
 
 import httpx
 import numpy as np
-import psutil
 
 from benchmarks.results import Result, publish
 from benchmarks.served import served, submit
@@ -19,7 +18,6 @@ from benchmarks.service import study
 
 BUSY = study(64, {"settle_s": 0.5, "window_s": 3.0})
 CASES = 100  # of every study that a client creates
-LARGE = 10_000
 
 HOW = """`tracksweep serve` with two workers, both computing all the time. {clients} clients at once take {turns} turns
 each: in every turn they list studies and peaks, get a study, its cases and one case, and in every fifth they create a
@@ -63,38 +61,6 @@ def ask(url: str, study_id: str, client: int, turns: int, pause: float) -> dict[
     return seconds
 
 
-def large(url: str) -> list[tuple[str, float, float]]:
-    """What is done to a large study, seconds, and megabytes of the API."""
-    api = next(each for each in psutil.Process().children(recursive=True) if "api" in each.cmdline())
-    found = []
-    with httpx.Client(base_url=url, trust_env=False, timeout=120) as http:
-
-        def done(what: str, began: float) -> None:
-            found.append((f"{what}, {LARGE} cases", time.perf_counter() - began, api.memory_info().rss / 1e6))
-
-        began = time.perf_counter()
-        created = http.post("/v1/studies", json=harmonic(LARGE, 0.05)).raise_for_status().json()["id"]
-        done("create", began)
-        began, cursor = time.perf_counter(), None
-        while True:
-            query = {"page_size": 500} | ({"cursor": cursor} if cursor else {})
-            cursor = http.get(f"/v1/studies/{created}/cases", params=query).raise_for_status().json()["next_cursor"]
-            if cursor is None:
-                break
-        done("list all pages", began)
-        began = time.perf_counter()
-        http.get("/v1/peaks.csv", params={"study_id": created}).raise_for_status()
-        done("export (few have peaks yet)", began)
-        began = time.perf_counter()
-        http.post(f"/v1/studies/{created}/cancel").raise_for_status()
-        done("cancel", began)
-        began = time.perf_counter()
-        while http.delete(f"/v1/studies/{created}").status_code == httpx.codes.CONFLICT:
-            time.sleep(0.1)
-        done("delete", began)
-    return found
-
-
 def run(clients: int, turns: int, pause: float) -> Result:
     """Load a service."""
     with served(2) as url:
@@ -103,24 +69,20 @@ def run(clients: int, turns: int, pause: float) -> Result:
             time.sleep(0.2)
         with ThreadPoolExecutor(clients) as pool:
             asked = list(pool.map(lambda client: ask(url, busy, client, turns, pause), range(clients)))
-        rows = large(url)
     seconds = {name: 1e3 * np.concatenate([each[name] for each in asked]) for name in asked[0]}
-    table = [["operation", "times", "median, ms", "95 %, ms", "largest"]]
+    table = [["operation", "times", "median, ms", "95 %, ms", "largest, ms"]]
     for name, values in seconds.items():
         middle, high = np.quantile(values, [0.5, 0.95])
-        table.append([name, str(len(values)), f"{middle:.0f}", f"{high:.0f}", f"{values.max():.0f} ms"])
-    table += [[name, "1", f"{1e3 * took:.0f}", "", f"{megabytes:.0f} MB"] for name, took, megabytes in rows]
+        table.append([name, str(len(values)), f"{middle:.0f}", f"{high:.0f}", f"{values.max():.0f}"])
     reads = np.concatenate([values for name, values in seconds.items() if "create" not in name])
     creates = next(values for name, values in seconds.items() if "create" in name)
     return Result(
         title="Answers under load",
-        how=HOW.format(clients=clients, turns=turns, pause=pause, cases=CASES, large=LARGE),
+        how=HOW.format(clients=clients, turns=turns, pause=pause, cases=CASES),
         command="python -m benchmarks.load",
         values={
             "p95_read_ms": float(np.quantile(reads, 0.95)),
             "p95_create_100_cases_ms": float(np.quantile(creates, 0.95)),
-            "create_10000_cases_s": rows[0][1],
-            "largest_api_mb": max(megabytes for *_, megabytes in rows),
         },
         table=table,
     )

@@ -5,7 +5,7 @@ import random
 import statistics
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -81,7 +81,7 @@ def fill(connection: Connection, rows: int) -> None:
         numbers = range(first, min(first + BATCH, cases + 1))
         chosen = [common | _conditions(chance) | {"id": n, "digest": f"{n:064x}"} for n in numbers]
         connection.execute(insert(Case), chosen)
-        connection.execute(insert(Peak), [peak for each in chosen for peak in _peaks(chance, each)])
+        connection.execute(insert(Peak), [peak for each in chosen for peak in peaks_of(chance, each)])
     for study, size in STUDIES.items():
         fields = {"name": "A study", "labels": {}, "priority": 0, "keep_history": False, "request": {}}
         connection.execute(insert(Study).values(id=study, cases_reused=0, **fields))
@@ -106,7 +106,8 @@ def _conditions(chance: random.Random) -> dict[str, Any]:
     }
 
 
-def _peaks(chance: random.Random, case: dict[str, Any]) -> Iterator[dict[str, Any]]:
+def peaks_of(chance: random.Random, case: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """Columns of the peaks that a case may have; they grow with speed."""
     of_case = {"case_id": case["id"], "speed_kmh": case["speed_kmh"], "percentile": case["percentile"]}
     faster = (case["speed_kmh"] / 300) ** 1.5
     for quantity, (size, positions) in QUANTITIES.items():

@@ -11,7 +11,10 @@ from benchmarks.results import RESULTS, Result, read
 from solver.verification.finding import Curve, Plot
 from solver.verification.report import write_picture
 
-ORDER = ("contenders", "growth", "floor", "choices", "memory", "service", "load", "programme", "rolland_peer", "peaks")
+ORDER = (
+    *("contenders", "growth", "floor", "choices", "memory", "service"),
+    *("load", "large", "programme", "rolland_peer", "peaks"),
+)
 
 HEADER = """# Benchmarks
 

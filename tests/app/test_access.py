@@ -291,7 +291,9 @@ def test_studies_without_an_owner_are_the_administrators(
 def test_overlapping_studies_share_cases_and_nothing_else(
     anna: httpx.Client, ben: httpx.Client, database: Database, study: Body, problem: Check
 ) -> None:
-    first, second = post(anna, study, 250, 300, keep_history=True), post(ben, study, 300, 350)
+    with ThreadPoolExecutor(2) as pool:  # at once
+        sent = pool.submit(post, anna, study, 250, 300, keep_history=True), pool.submit(post, ben, study, 300, 350)
+    first, second = (each.result() for each in sent)
     finish(database, 6, history=True)  # of eight that were asked for
     assert take(database) == []
     cases = {each.get(url).json()["cases"]["succeeded"] for each, url in ((anna, first), (ben, second))}

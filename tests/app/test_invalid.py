@@ -1,6 +1,7 @@
 """Whatever a client sends, the answer is a problem that names the field, and nothing is stored."""
 
 import json
+import tracemalloc
 from collections.abc import Callable
 from typing import Any
 
@@ -164,6 +165,35 @@ def test_a_study_that_is_too_large_names_the_limit(
     details = problem(lenient_client.post("/v1/studies", json=study), 422, "max-cases-per-study")
     assert "3802" in details["detail"]
     assert "1000" in details["detail"]
+
+
+MILLION = {
+    "a product": {
+        "speed_kmh": {"kind": "range", "start": 160, "stop": 169.9, "step": 0.1},
+        "irregularity": {"kind": "harmonic", "wavelength_m": [1 + n for n in range(100)], "amplitude_mm": [0.1]},
+        "vary": {"track.pad_stiffness_n_per_m": [4e7 + n for n in range(100)]},
+    },
+    "realisations": {
+        "speed_kmh": [300],
+        "irregularity": {"kind": "spectrum", "wavelength_band_m": [{"min": 2, "max": 30}], "realisations": 10**6},
+    },
+}
+
+
+@pytest.mark.parametrize("path", ["/v1/studies", "/v1/study-estimates"])
+@pytest.mark.parametrize("sweep", MILLION)
+def test_a_million_cases_are_refused_without_being_made(
+    sweep: str, path: str, lenient_client: httpx.Client, problem: Check
+) -> None:
+    """`python -m benchmarks.large` prints how soon."""
+    tracemalloc.start()
+    try:
+        answer = lenient_client.post(path, json={"name": "Many", "sweep": MILLION[sweep] | {"kind": "product"}})
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert "The sweep has 1000000 cases" in problem(answer, 422, "max-cases-per-study")["detail"]
+    assert most < 50e6
 
 
 @pytest.mark.parametrize(
