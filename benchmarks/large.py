@@ -33,7 +33,7 @@ LOOK_EVERY_S = 0.002
 HOW = """A study is created, listed in pages of 500 cases, exported and deleted, on SQLite; nothing computes meanwhile.
 Before it is exported each of its cases gets {peaks} peaks. Then a product of {too_many} cases is refused. For every
 operation there is a new process of the API, which has answered one small request before: *MB* is by how much its
-resident size grows at most."""
+resident size grows at most. Exporting as Parquet loads Arrow, which takes most of what is told of it."""
 
 
 @contextmanager

@@ -13,13 +13,18 @@ from tracksweep_client.generated.api.studies import delete_study
 from tracksweep_client.generated.models import Limits, PeakRow
 
 
+def user(service: Served, name: str) -> Service:
+    command = ("keys", "create", name, "--scope", "write", "--json")
+    made = tracksweep(*command, TRACKSWEEP_DATA_DIR=service.data)
+    return Service(str(service.http.base_url), json.loads(made.stdout)["key"])
+
+
 @pytest.fixture
 def users(service: Served) -> Iterator[list[Service]]:
-    made = [tracksweep("keys", "create", name, "--json", TRACKSWEEP_DATA_DIR=service.data) for name in ("anna", "ben")]
-    users = [Service(str(service.http.base_url), json.loads(each.stdout)["key"]) for each in made]
+    users = [user(service, "anna"), user(service, "ben")]
     yield users
-    for user in users:
-        user.close()
+    for each in users:
+        each.close()
 
 
 def charged_s(user: Service) -> float:
