@@ -46,8 +46,7 @@ async def identify(request: Request, context: ContextDep) -> Caller:
         suffice; 429 if there were too many requests.
     """
     policy: Policy = "reads" if request.method == "GET" else "writes"
-    sent = _sent_key(request)
-    caller = await to_thread.run_sync(_of_key, context, sent) if sent is not None else ANYBODY
+    caller = ANYBODY if _sent_key(request) is None else await to_thread.run_sync(sender, context, request)
     address = request.client.host if request.client else ""
     who = address if caller is None or caller.key_id is None else f"key {caller.key_id}"
     if (rate := await _count(request.app.state.rates, policy, who)) is not None:
@@ -96,9 +95,11 @@ def _sent_key(request: Request) -> str | None:
     return value.strip() if kind.lower() == "bearer" else None
 
 
-def _of_key(context: Context, sent: str) -> Caller | None:
-    key = keys.authenticate(context.database, sent)
-    if key is None:
+def sender(context: Context, request: Request) -> Caller | None:
+    """Who sends a request; None if the key it is sent with is not valid, or not any more."""
+    if (sent := _sent_key(request)) is None:
+        return ANYBODY
+    if (key := keys.authenticate(context.database, sent)) is None:
         return None
     return Caller(
         key_id=key.id,

@@ -11,7 +11,7 @@ from fastapi import Depends, Path, Request
 from sqlalchemy import ColumnElement, exists, or_, select
 from sqlalchemy.orm import Session
 
-from app.access.caller import Caller, CallerDep, forbidden
+from app.access.caller import Caller, CallerDep, forbidden, sender
 from app.context import Context, ContextDep
 from app.db.models import Profile, ProfileKey, Study, StudyCase, StudyProfile, StudyShare
 from app.problems import not_found
@@ -47,6 +47,14 @@ def profiles(caller: Caller) -> Conditions:
 
 def _containing(table: type[StudyCase] | type[StudyProfile]) -> Any:
     return select(table).join(Study, Study.id == table.study_id)
+
+
+def still_sees(context: Context, request: Request, study_id: str) -> bool:
+    """Whether a request to read a study would be let in now: a key can be revoked, and a study shared no more."""
+    if (caller := sender(context, request)) is None or caller.is_admin:
+        return caller is not None
+    with context.database.read() as session:
+        return bool(session.scalar(select(exists().where(Study.id == study_id, *studies(caller)))))
 
 
 async def _visible_study(

@@ -1,11 +1,12 @@
 """Studies over HTTP."""
 
+from functools import partial
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Header, Query, Request, Response
 
 from app.access.caller import CallerDep
-from app.access.visibility import StudyId
+from app.access.visibility import StudyId, still_sees
 from app.conditional import CONDITIONAL_CHANGE, IfMatchHeader, check_match, edition, respond
 from app.context import ContextDep
 from app.idempotency import IdempotencyKeyHeader
@@ -106,6 +107,7 @@ def delete_study(study_id: StudyId, context: ContextDep) -> None:
 async def watch_study(
     study_id: StudyId,
     context: ContextDep,
+    request: Request,
     seat: SeatDep,
     last_event_id: Annotated[int, Query(ge=0, lt=2**63, description="The same, for whom cannot send headers.")] = 0,
     last_event: Annotated[
@@ -113,7 +115,8 @@ async def watch_study(
     ] = None,
 ) -> Response:
     """Watch a study to its end, as Server-Sent Events."""
-    return await watch(context, study_id, last_event_id if last_event is None else last_event)
+    allowed = partial(still_sees, context, request, study_id)
+    return await watch(context, study_id, last_event_id if last_event is None else last_event, allowed)
 
 
 def _edition(study: StudyDetail) -> str:

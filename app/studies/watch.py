@@ -3,7 +3,7 @@
 import asyncio
 import json
 import time
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 from typing import Annotated, Any
 
 from anyio import to_thread
@@ -37,8 +37,17 @@ async def _seat(request: Request) -> AsyncIterator[None]:
 SeatDep = Annotated[None, Depends(_seat)]
 
 
-async def watch(context: Context, study_id: str, after: int) -> Response:
+async def watch(context: Context, study_id: str, after: int, still_allowed: Callable[[], bool]) -> Response:
     """The events of a study that come after one, to the end of the study; 204 if the last one was that.
+
+    Parameters
+    ----------
+    context : Context
+    study_id : str
+    after : int
+        The number of that one; 0 for all.
+    still_allowed : callable
+        Whether the caller may still see the study; asked twice in the longest silence. The stream ends when not.
 
     Raises
     ------
@@ -50,19 +59,26 @@ async def watch(context: Context, study_id: str, after: int) -> Response:
         raise not_found("study")
     if last.kind == "done" and after >= last.id:
         return Response(status_code=204)
-    return EventSourceResponse(_stream(context, study_id, min(after, last.id)), headers=HEADERS)
+    return EventSourceResponse(_stream(context, study_id, min(after, last.id), still_allowed), headers=HEADERS)
 
 
-async def _stream(context: Context, study_id: str, after: int) -> AsyncIterator[bytes]:
+async def _stream(
+    context: Context, study_id: str, after: int, still_allowed: Callable[[], bool]
+) -> AsyncIterator[bytes]:
     """Between two looks no connection to the database is held."""
     progress: Any = None
     due = 0.0
-    spoken = time.monotonic()
+    spoken = allowed = time.monotonic()
     try:
         while True:
             news = await to_thread.run_sync(_events_after, context, study_id, after)
             ended = 0 < len(news) < AT_ONCE and news[-1].kind == "done"
-            if (looked := time.monotonic()) >= due or ended:
+            looked = time.monotonic()
+            if looked - allowed >= context.settings.watch_keep_alive_s / 2:
+                if not await to_thread.run_sync(still_allowed):
+                    return
+                allowed = looked
+            if looked >= due or ended:
                 before, progress = progress, await to_thread.run_sync(_progress, context, study_id)
                 due = time.monotonic() + max(POLL_S, SPARINGLY * (time.monotonic() - looked))
                 if before is None or _counted(progress) != _counted(before):
