@@ -1,6 +1,7 @@
 """HTTP as the service speaks it: its problems are raised, and when it says to come back later, that is done."""
 
 import asyncio
+import logging
 import os
 import time
 from typing import Any
@@ -15,6 +16,9 @@ DEFAULT_URL = "http://127.0.0.1:8000"
 TIMEOUT_S = 30
 ATTEMPTS = 5
 LONGEST_PAUSE_S = 60
+SILENT_PAUSE_S = 5  # a longer one is told of
+
+log = logging.getLogger("tracksweep_client")
 
 
 class ProblemError(Exception):
@@ -35,8 +39,7 @@ class ProblemError(Exception):
         self.code = ""
         self.errors: list[FieldProblem] = []
         message = f"The service answered {response.status_code} {response.reason_phrase}."
-        if response.headers.get("Content-Type", "").startswith("application/problem+json"):
-            problem = ProblemDetails.from_dict(response.json())
+        if (problem := _problem(response)) is not None:
             self.code, self.errors, message = problem.code, problem.errors, problem.detail
         super().__init__("\n".join([message, *(f"  {error.pointer}: {error.detail}" for error in self.errors)]))
 
@@ -47,13 +50,12 @@ class PatientClient(httpx.Client):
     def send(self, request: httpx.Request, **options: Any) -> httpx.Response:
         """Send one request; every kind of call ends here."""
         attempt = 1
-        while (pause_s := _pause_s(response := super().send(request, **options), attempt)) is not None:
-            response.close()
+        while (response := super().send(request, **options)).is_error:
+            response.read()
+            if (pause_s := _pause_s(response, attempt)) is None:
+                raise ProblemError(response)
             time.sleep(pause_s)
             attempt += 1
-        if response.is_error:
-            response.read()
-            raise ProblemError(response)
         return response
 
 
@@ -63,25 +65,38 @@ class PatientAsyncClient(httpx.AsyncClient):
     async def send(self, request: httpx.Request, **options: Any) -> httpx.Response:
         """Send one request."""
         attempt = 1
-        while (pause_s := _pause_s(response := await super().send(request, **options), attempt)) is not None:
-            await response.aclose()
+        while (response := await super().send(request, **options)).is_error:
+            await response.aread()
+            if (pause_s := _pause_s(response, attempt)) is None:
+                raise ProblemError(response)
             await asyncio.sleep(pause_s)
             attempt += 1
-        if response.is_error:
-            await response.aread()
-            raise ProblemError(response)
         return response
+
+
+def _problem(response: httpx.Response) -> ProblemDetails | None:
+    """What the service says is wrong; None if somebody else says so."""
+    if response.headers.get("Content-Type", "").startswith("application/problem+json"):
+        return ProblemDetails.from_dict(response.json())
+    return None
 
 
 def _pause_s(response: httpx.Response, attempt: int) -> float | None:
     """Seconds until the next attempt; None if this answer is to be taken.
 
-    Nothing is done twice by that: a request that was told to come back later has had no effect.
+    Nothing is done twice by that: a request that was told to come back later has had no effect. A quota is not waited
+    for: it is free again when cases are computed, or tomorrow, and whoever asked may rather ask for less.
     """
     later = response.headers.get("Retry-After", "")
     if response.status_code not in (409, 429, 503) or not later.isdecimal() or attempt >= ATTEMPTS:
         return None
-    return float(later) if float(later) <= LONGEST_PAUSE_S else None
+    problem = _problem(response)
+    if float(later) > LONGEST_PAUSE_S or (problem is not None and problem.code == "quota-exceeded"):
+        return None
+    if float(later) > SILENT_PAUSE_S:
+        why = problem.detail if problem is not None else response.reason_phrase
+        log.warning("The service asks to come back in %s s: %s", later, why)
+    return float(later)
 
 
 def connect(url: str | None = None, api_key: str | None = None) -> AuthenticatedClient:

@@ -4,7 +4,7 @@ import io
 import json
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -127,6 +127,34 @@ def test_nobody_comes_in_without_a_valid_key(
     logged = "".join(capfd.readouterr())
     assert secret not in logged
     assert renewed not in logged
+
+
+def test_who_may_no_longer_watch_is_told_nothing_more(
+    settings: Settings, serve: Any, database: Database, study: Body, problem: Check
+) -> None:
+    """A stream that is open when a key is revoked or renewed, or a study shared no more, ends by itself."""
+    with serve(settings.model_copy(update={"watch_keep_alive_s": 0.2})) as client:
+        with database.write() as session:
+            secrets = {name: keys.create(session, name, "write", None, None)[1] for name in ("anna", "ben", "carl")}
+        url = client.post("/v1/studies", json=study, headers=bearer(secrets["anna"])).headers["location"]
+        for friend in ("ben", "carl"):
+            client.put(f"{url}/shares/{friend}", headers=bearer(secrets["anna"]))
+        with ExitStack() as stack:
+            sent = {name: {"headers": bearer(secret)} for name, secret in secrets.items()}
+            streams = {
+                name: stack.enter_context(client.stream("GET", f"{url}/events", **each)) for name, each in sent.items()
+            }
+            lines = {name: stream.iter_lines() for name, stream in streams.items()}
+            assert [next(each) for each in lines.values()] == ["event: progress"] * 3
+            client.delete(f"{url}/shares/ben", headers=bearer(secrets["anna"]))
+            list(lines["ben"])
+            with database.write() as session:
+                keys.revoke(session, "carl")
+            list(lines["carl"])
+            with database.write() as session:
+                keys.renew(session, "anna")
+            list(lines["anna"])
+        problem(client.get(f"{url}/events", headers=bearer(secrets["carl"])), 401, "key-invalid")
 
 
 def test_scopes(make: Callable[..., httpx.Client], study: Body, problem: Check) -> None:

@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -68,6 +69,28 @@ def test_it_does_not_guess_nor_wait_for_long(later: str | None) -> None:
     with pytest.raises(ProblemError, match="503"):
         to(answering(iter([away]), seen)).study("1")
     assert len(seen) == 1
+
+
+QUOTA = LOST | {"status": 429, "code": "quota-exceeded", "detail": "Too many cases."}
+
+
+def test_a_quota_is_not_waited_for() -> None:
+    seen: list[httpx.Request] = []
+    headers = {"Content-Type": "application/problem+json", "Retry-After": "1"}
+    with pytest.raises(ProblemError, match="Too many cases") as caught:
+        to(answering(iter([httpx.Response(429, json=QUOTA, headers=headers)]), seen)).submit({"name": "A study"})
+    assert (caught.value.code, len(seen)) == ("quota-exceeded", 1)
+
+
+def test_a_long_wait_is_told_of(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
+    pauses: list[float] = []
+    monkeypatch.setattr(time, "sleep", pauses.append)
+    headers = {"Content-Type": "application/problem+json", "Retry-After": "59"}
+    limited = httpx.Response(429, json=QUOTA | {"code": "rate-limited", "detail": "Too often."}, headers=headers)
+    with pytest.raises(ProblemError):
+        to(answering(iter([httpx.Response(**BUSY), limited, httpx.Response(404)]), [])).study("1")
+    assert pauses == [0, 59]
+    assert caplog.messages == ["The service asks to come back in 59 s: Too often."]
 
 
 def test_the_same_without_blocking() -> None:
