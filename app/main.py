@@ -7,7 +7,6 @@ from importlib.metadata import version
 
 import structlog
 from fastapi import APIRouter, Depends, FastAPI
-from fastapi_offline import FastAPIOffline
 from sqlalchemy import select
 from sqlalchemy.exc import SQLAlchemyError
 
@@ -23,6 +22,7 @@ from app.context import Context, ContextDep
 from app.db.models import Study
 from app.db.session import Database
 from app.histories.routes import router as histories
+from app.pages import add_pages
 from app.peaks.routes import router as peaks
 from app.profiles.routes import router as profiles
 from app.queue import Doorbell
@@ -82,7 +82,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         yield
         context.database.close()
 
-    app = FastAPIOffline(  # the pages at /docs and /redoc need nothing from elsewhere
+    app = FastAPI(
+        docs_url=None,  # app.pages has them
+        redoc_url=None,
         title="TrackSweep",
         version=version("tracksweep"),
         description="Parametric studies of a high-speed train on ballastless slab track.",
@@ -96,6 +98,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(HeadMiddleware)
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)
+    add_pages(app)
     app.include_router(health)
     for router in (
         studies,

@@ -12,6 +12,7 @@ from sqlalchemy import exc as database_errors
 from starlette.exceptions import HTTPException
 from starlette.routing import Match
 
+from app.pages import HEADERS
 from app.pointer import pointer_to
 
 MEDIA_TYPE = "application/problem+json"
@@ -150,4 +151,5 @@ async def _answer_database_away(request: Request, error: Exception) -> Response:
 
 async def _answer_bug(request: Request, error: Exception) -> Response:
     log.error("request failed", exc_info=error)
-    return _respond(request, Problem(500, "The service failed. Its log says more."))
+    headers = request.state.headers | HEADERS  # this answer passes no middleware
+    return _respond(request, Problem(500, "The service failed. Its log says more.", headers=headers))

@@ -14,6 +14,8 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.types import Message as AsgiMessage
 from structlog.contextvars import bound_contextvars
 
+from app.access.caller import identify
+from app.pages import HEADERS
 from app.problems import Problem
 
 CSV = "text/csv"
@@ -86,13 +88,14 @@ def _media_type(content_type: str) -> Message:
 
 
 class JsonRoute(APIRoute):
-    """A route that reads its body through :class:`JsonRequest`."""
+    """A route that reads its body through :class:`JsonRequest`, once it is known whose it is."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """The handler FastAPI calls."""
         handle = super().get_route_handler()
 
         async def handle_json(request: Request) -> Response:
+            await identify(request, request.app.state.context)  # FastAPI reads bodies before it asks
             return await handle(JsonRequest(request.scope, request.receive))
 
         return handle_json
@@ -127,7 +130,8 @@ class HeadMiddleware:
 class RequestIdMiddleware:
     """Number every request: in its log lines, in its problem details and in the header ``X-Request-ID``.
 
-    Whatever else is put in ``request.state.headers`` goes with the answer too, be it a success or a problem.
+    Whatever else is put in ``request.state.headers`` goes with the answer too, be it a success or a problem, and so do
+    the headers that tell browsers to be careful with it.
     """
 
     def __init__(self, app: ASGIApp) -> None:
@@ -141,7 +145,10 @@ class RequestIdMiddleware:
 
         async def send_numbered(message: AsgiMessage) -> None:
             if message["type"] == "http.response.start":
-                MutableHeaders(scope=message).update(headers)
+                answer = MutableHeaders(scope=message)
+                answer.update(headers)
+                for name, value in HEADERS.items():
+                    answer.setdefault(name, value)
             await send(message)
 
         with bound_contextvars(request_id=request_id):

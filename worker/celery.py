@@ -13,6 +13,7 @@ app.conf.update(
     worker_pool="solo",  # one process, one batch at a time: nothing is forked, and a crash takes nothing else along
     worker_concurrency=1,
     worker_prefetch_multiplier=1,
+    worker_enable_remote_control=False,  # whoever reaches the broker may ring, and that is all
     task_acks_late=True,  # or a busy worker would take the bell meant to wake an idle one
     broker_connection_retry_on_startup=True,
     broker_connection_max_retries=None,

@@ -37,14 +37,21 @@ ANYBODY = Caller()
 
 
 async def identify(request: Request, context: ContextDep) -> Caller:
-    """The caller; the request is counted.
+    """The caller; the request is counted, once however often this is asked.
 
     Raises
     ------
     Problem
         401 without a valid key where one is required, and with an invalid one anywhere; 403 if the key's scope does not
-        suffice; 429 if there were too many requests.
+        suffice or, without a key, a page of another site sent the request; 429 if there were too many requests.
     """
+    if not hasattr(request.state, "caller"):
+        request.state.caller = await _identify(request, context)
+    caller: Caller = request.state.caller
+    return caller
+
+
+async def _identify(request: Request, context: Context) -> Caller:
     policy: Policy = "reads" if request.method == "GET" else "writes"
     caller = ANYBODY if _sent_key(request) is None else await to_thread.run_sync(sender, context, request)
     address = request.client.host if request.client else ""
@@ -58,6 +65,8 @@ async def identify(request: Request, context: ContextDep) -> Caller:
     if caller is ANYBODY and keys_required(context.settings, request):
         detail = "Send an API key: Authorization: Bearer ts_…"
         raise Problem(401, detail, code="key-missing", headers=CHALLENGE)
+    if caller is ANYBODY and context.settings.require_keys == "auto" and not _is_local(request):
+        raise forbidden("Without a key, only programs and pages of this machine are answered.", "cross-site")
     if policy == "writes" and caller.scope == "read":
         raise forbidden("The key may only read.", "scope-insufficient")
     return caller
@@ -81,6 +90,15 @@ def keys_required(settings: Settings, request: Request | None = None) -> bool:
     if request is not None and (server := request.scope.get("server")) is not None:
         hosts.append(server[0])
     return not all(map(_is_loopback, hosts))
+
+
+def _is_local(request: Request) -> bool:
+    """Whether the request was meant for this machine. Browsers let any page send requests to the loopback. They say
+    which page (Origin); and a page whose own name leads to the loopback still has that name in the address (Host).
+    """
+    host = request.headers.get("host", request.url.netloc)  # of an unreadable one the URL says nothing
+    origin = request.headers.get("origin", f"http://{host}")
+    return _is_loopback(request.url.hostname or "") and request.url.netloc == host == origin.partition("://")[2]
 
 
 def _is_loopback(host: str) -> bool:
