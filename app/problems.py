@@ -12,8 +12,10 @@ from sqlalchemy import exc as database_errors
 from starlette.exceptions import HTTPException
 from starlette.routing import Match
 
+from app import log
 from app.pages import HEADERS
 from app.pointer import pointer_to
+from app.storage import is_full
 
 MEDIA_TYPE = "application/problem+json"
 METHODS = ("DELETE", "GET", "HEAD", "OPTIONS", "PATCH", "POST", "PUT")
@@ -32,7 +34,7 @@ _CODES = {
     503: "unavailable",
 }
 
-log = structlog.get_logger()
+_log = structlog.get_logger()
 
 
 class FieldProblem(BaseModel):
@@ -83,6 +85,14 @@ def not_found(what: str) -> Problem:
     return Problem(404, f"There is no such {what}.")
 
 
+def unavailable(detail: str, error: BaseException) -> Problem:
+    """A 503, on account of an error of the database, a disk or a store."""
+    headers = {"Retry-After": str(RETRY_AFTER_S)}
+    if is_full(error):
+        return Problem(503, "The disk of the service is full.", code="storage-full", headers=headers)
+    return Problem(503, detail, headers=headers)
+
+
 def install(app: FastAPI) -> None:
     """Let every error of the application leave as problem details."""
     app.add_exception_handler(HTTPException, _answer_http_exception)
@@ -94,6 +104,7 @@ def install(app: FastAPI) -> None:
         database_errors.TimeoutError,
     ):
         app.add_exception_handler(error, _answer_database_away)
+    app.add_exception_handler(OSError, _answer_disk_away)
     app.add_exception_handler(Exception, _answer_bug)
 
 
@@ -144,12 +155,16 @@ async def _answer_invalid_request(request: Request, error: Exception) -> Respons
 
 
 async def _answer_database_away(request: Request, error: Exception) -> Response:
-    log.error("database unavailable", error=str(error))
-    headers = {"Retry-After": str(RETRY_AFTER_S)}
-    return _respond(request, Problem(503, "The database does not answer. Try again later.", headers=headers))
+    log.unavailable("database", error)
+    return _respond(request, unavailable("The database does not answer. Try again later.", error))
+
+
+async def _answer_disk_away(request: Request, error: Exception) -> Response:
+    _log.error("request failed", exc_info=error)
+    return _respond(request, unavailable("The service cannot use its disk. Try again later.", error))
 
 
 async def _answer_bug(request: Request, error: Exception) -> Response:
-    log.error("request failed", exc_info=error)
+    _log.error("request failed", exc_info=error)
     headers = request.state.headers | HEADERS  # this answer passes no middleware
     return _respond(request, Problem(500, "The service failed. Its log says more.", headers=headers))

@@ -2,17 +2,15 @@
 
 from typing import Any
 
-import structlog
 from celery import Celery
 from kombu.connection import Connection
-from kombu.exceptions import ChannelError, KombuError
+from kombu.exceptions import ChannelError
 
+from app import log
 from app.settings import Settings
 
 WORK = "tracksweep.work"
 QUEUE = "tracksweep"
-
-log = structlog.get_logger()
 
 
 def broker_client(settings: Settings) -> Celery:
@@ -44,8 +42,8 @@ class Doorbell:
             with self._client.connection_for_write() as connection:
                 if not self._waiting(connection):
                     self._client.send_task(WORK, connection=connection, retry=False)
-        except (KombuError, OSError) as error:
-            log.warning("broker unavailable", error=str(error))
+        except Exception as error:  # every broker has errors of its own, and what is committed must be answered
+            log.unavailable("broker", error)
             return False
         return True
 

@@ -33,6 +33,8 @@ class Settings(BaseSettings):
     lease_s: float = Field(default=15.0, gt=0, le=3600, description="Time after which a silent worker loses its case.")
     max_attempts: int = Field(default=3, ge=1, le=100, description="Attempts after which a case counts as poison.")
     retention_days: int = Field(default=0, ge=0, le=36500, description="Days that ended studies are kept; 0: for ever.")
+    case_time_limit_s: float = Field(default=3600.0, gt=0, le=1e6, description="Longest computation of one case.")
+    case_memory_mb: int = Field(default=4096, ge=16, description="Largest memory of cases computed side by side.")
     max_cases_per_study: int = Field(default=10_000, ge=1, description="Largest study that is accepted.")
     max_page_size: int = Field(default=500, ge=1, description="Largest page of a list.")
     max_body_bytes: int = Field(default=1_000_000, ge=1, description="Largest request body.")

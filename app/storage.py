@@ -1,21 +1,42 @@
 """The history store: immutable objects in a folder or a bucket."""
 
+import errno
+import os
+import sqlite3
+import time
 from collections.abc import Iterator
+from contextlib import suppress
 from datetime import UTC, datetime, timedelta
-from urllib.parse import urlsplit
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
 
-from obstore.exceptions import BaseError
+from obstore.exceptions import BaseError, NotFoundError
 from obstore.store import LocalStore, ObjectStore, from_url
 
 STORE_ERRORS = (OSError, BaseError)
+
+_FULL = (errno.ENOSPC, errno.EDQUOT)
+_FULL_SQLSTATE = "53100"  # PostgreSQL's
+
+
+def is_full(error: BaseException) -> bool:
+    """Whether an error of a store, a file or a database means that its disk is full."""
+    reason = getattr(error, "orig", None) or error
+    return (
+        getattr(reason, "errno", None) in _FULL
+        or getattr(reason, "sqlite_errorcode", None) == sqlite3.SQLITE_FULL
+        or getattr(reason, "sqlstate", None) == _FULL_SQLSTATE
+        or any(os.strerror(number) in str(reason) for number in _FULL)
+    )
 
 
 class HistoryStore:
     """Objects below a URL: ``file:///FOLDER`` (created when missing) or ``s3://BUCKET/PREFIX``."""
 
     def __init__(self, url: str) -> None:
-        local = urlsplit(url).scheme == "file"
-        self._store: ObjectStore = LocalStore.from_url(url, mkdir=True) if local else from_url(url)
+        parts = urlsplit(url)
+        self._folder = Path(unquote(parts.path)) if parts.scheme == "file" else None
+        self._store: ObjectStore = LocalStore.from_url(url, mkdir=True) if self._folder else from_url(url)
 
     def put(self, key: str, content: bytes) -> None:
         """Write an object, whole or not at all."""
@@ -33,10 +54,20 @@ class HistoryStore:
         return (bytes(chunk) for chunk in found.stream())
 
     def delete(self, key: str) -> None:
-        """Remove an object."""
-        self._store.delete(key)
+        """Remove an object, unless somebody did."""
+        with suppress(NotFoundError):
+            self._store.delete(key)
 
     def keys_older_than(self, age_s: float) -> Iterator[str]:
         """Keys of objects written longer ago, give or take how much its clock differs from ours."""
         before = datetime.now(UTC) - timedelta(seconds=age_s)
         return (each["path"] for batch in self._store.list() for each in batch if each["last_modified"] < before)
+
+    def remove_pieces_older_than(self, age_s: float) -> None:
+        """Delete what writers that were killed have left in a folder: ``KEY#1`` and the like, which are no objects."""
+        if self._folder is None:
+            return
+        for piece in self._folder.rglob("*#*"):
+            with suppress(FileNotFoundError):  # it is an object by now
+                if piece.stat().st_mtime < time.time() - age_s:
+                    piece.unlink()

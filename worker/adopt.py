@@ -10,14 +10,13 @@ import structlog
 from sqlalchemy import Integer, cast, exists, select, update
 from sqlalchemy.orm import Session, aliased
 
-from app import events
 from app.cases.repository import row_of
 from app.db.models import Case
-from app.db.types import Clock
 from app.profiles.repository import samples
 from solver.case import Case as SolverCase
 from solver.quantity import InvalidParameterError
 from solver.version import SOLVER_VERSION
+from worker import lease
 
 AT_ONCE = 100
 
@@ -53,6 +52,4 @@ def adopt(session: Session) -> None:
 
 def _fail(session: Session, case: Case, detail: str) -> None:
     log.warning("case of an older release given up", case_id=case.id, detail=detail)
-    values = {"state": "failed", "finished_at": Clock(), "error": {"code": "solver-changed", "detail": detail}}
-    session.execute(update(Case).where(Case.id == case.id).values(values))
-    events.case_ended(session, case.id, "failed")
+    lease.refuse(session, case.id, "solver-changed", detail)

@@ -1,7 +1,11 @@
 """The Celery application: listens for the bell. ``celery -A worker.celery worker``, or ``tracksweep worker``."""
 
-from celery import Celery
+from typing import Any
 
+from celery import Celery
+from celery.signals import setup_logging
+
+from app import log
 from app.queue import broker_client
 from app.settings import Settings
 
@@ -17,6 +21,13 @@ app.conf.update(
     task_acks_late=True,  # or a busy worker would take the bell meant to wake an idle one
     broker_connection_retry_on_startup=True,
     broker_connection_max_retries=None,
+    broker_channel_error_retry=True,  # as of a broker whose disk is full
     worker_cancel_long_running_tasks_on_connection_loss=False,  # the case is leased from the database
     worker_hijack_root_logger=False,
 )
+
+
+@setup_logging.connect  # type: ignore[untyped-decorator]  # Celery has no types
+def _set_up_logging(**_: Any) -> None:
+    log.configure()
+    log.configure_libraries()

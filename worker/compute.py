@@ -4,18 +4,21 @@ import hashlib
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache, partial
-from typing import Any
+from types import ModuleType
+from typing import Any, TypeVar
 
 import structlog
 from sqlalchemy.exc import InterfaceError, OperationalError
 from sqlalchemy.orm import Session
 
+from app import log as logs
 from app.db.session import Database
 from app.profiles.repository import samples
 from app.queue import Doorbell
 from app.settings import Settings
-from app.storage import HistoryStore
+from app.storage import STORE_ERRORS, HistoryStore
 from solver.case import Case
 from solver.errors import SolverError
 from solver.peaks import peaks
@@ -29,8 +32,11 @@ from worker.heartbeat import Heartbeat, StoppedError
 from worker.history import archive
 from worker.peak import peak_at_boundary
 
-PATIENCE_S = 60.0  # for a database that is away when there is an outcome to write down
+AWAY = (OperationalError, InterfaceError)  # what the database's being away ends in
+PAUSE_S = 1.0  # between two looks whether what is away is back
+BLAMELESS = (StoppedError, lease.LeaseLostError, *AWAY)  # what ends an attempt at a case that is not to blame
 
+T = TypeVar("T")
 Outcome = Callable[[Session], bool]  # writes itself down, and says whether the lease still held
 
 log = structlog.get_logger()
@@ -61,24 +67,27 @@ class Worker:
         self.profiles = lru_cache(maxsize=4)(self._read_profile)  # cases of a study share them
 
     def drain(self) -> int:
-        """Compute cases until none is queued or the worker is to stop. Returns how many."""
+        """Compute cases until none is queued, the worker is to stop or the database is away. Returns how many."""
         computed = 0
-        while not self.stopping.is_set():
-            if batch := self._claim():
-                if not computed:
-                    self.doorbell.ring()  # where one case is queued there may be more: wake the next worker
-                self.compute(batch)
-                computed += len(batch)
-            elif not self._verify():
-                break
+        try:
+            while not self.stopping.is_set():
+                if batch := self._claim():
+                    if not computed:
+                        self.doorbell.ring()  # where one case is queued there may be more: wake the next worker
+                    self.compute(batch)
+                    computed += len(batch)
+                elif not self._verify():
+                    break
+        except AWAY as error:  # once it is back, the sweeper rings
+            logs.unavailable("database", error)
         return computed
 
     def compute(self, batch: Sequence[Claim]) -> None:
         """Compute cases side by side and write down the outcome of each."""
-        with Heartbeat(self.database, batch, self.settings.lease_s, self.stopping) as heartbeat:
+        with Heartbeat(self.database, batch, self.settings, self.stopping) as heartbeat:
             for held, outcome in self._attempt(batch, heartbeat):
                 try:
-                    if not self._write(outcome):
+                    if not self._write(outcome, held, heartbeat):
                         log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
                 except Exception:  # its lease will run out; its neighbours' outcomes are still to be written
                     log.exception("outcome not written", case_id=held.case_id, attempt=held.attempt)
@@ -89,24 +98,20 @@ class Worker:
             held = verification.claim(session, self.settings.lease_s, self.settings.max_attempts)
         if held is None:
             return False
-        with Heartbeat(self.database, [held], self.settings.lease_s, self.stopping, verification.extend) as heartbeat:
-            self._write(self._verified(held, heartbeat))
+        beating = Heartbeat(self.database, [held], self.settings, self.stopping, verification)
+        with suppress(StoppedError), beating as heartbeat:
+            self._write(self._verified(held, heartbeat), held, heartbeat)
         return True
 
     def _verified(self, held: verification.Claim, heartbeat: Heartbeat) -> Outcome:
         try:
-            (result,) = solve([Case.from_dict(held.inputs, self.profiles)], partial(heartbeat.progress, [held]))
+            with heartbeat.limited(1):
+                (result,) = solve([Case.from_dict(held.inputs, self.profiles)], partial(heartbeat.progress, [held]))
             if isinstance(result, SolverError):
                 return partial(verification.fail, held=held, code=result.code, detail=str(result))
             return partial(verification.compare, held=held, computed=[peak_at_boundary(peak) for peak in peaks(result)])
-        except StoppedError:
-            return partial(verification.release, held=held)
-        except lease.LeaseLostError:
-            return _lost
         except Exception as error:
-            log.exception("verification failed", case_id=held.case_id)
-            reason, attempts = f"{type(error).__name__}: {error}", self.settings.max_attempts
-            return partial(verification.give_up, held=held, max_attempts=attempts, reason=reason)
+            return self._broken_off(held, error, verification)
 
     def _claim(self) -> list[Claim]:
         # Where one attempt is all a case has, none may lose it to a neighbour that kills the worker.
@@ -119,20 +124,14 @@ class Worker:
         began = time.process_time()
         try:
             heartbeat.progress(batch, 0.0)
-            results = solve(
-                [Case.from_dict(held.inputs, self.profiles) for held in batch], partial(heartbeat.progress, batch)
-            )
-        except StoppedError:
-            yield from ((held, partial(lease.release, held=held)) for held in batch)
-            return
-        except lease.LeaseLostError:
-            yield from ((held, _lost) for held in batch)
-            return
+            with heartbeat.limited(len(batch)):
+                cases = [Case.from_dict(held.inputs, self.profiles) for held in batch]
+                results = solve(cases, partial(heartbeat.progress, batch))
         except Exception as error:
-            log.exception("attempt failed", case_ids=[held.case_id for held in batch])
-            if len(batch) == 1:
-                yield batch[0], self._give_up(batch[0], error)
+            if len(batch) == 1 or isinstance(error, BLAMELESS):
+                yield from ((held, self._broken_off(held, error)) for held in batch)
                 return
+            log.exception("attempt failed", case_ids=[held.case_id for held in batch])
             results = []  # and on out of here: the exception keeps the memory of what it broke
         if not results:
             for held in batch:
@@ -140,51 +139,83 @@ class Worker:
             return
         cpu_s = (time.process_time() - began) / len(batch)
         for held, result in zip(batch, results, strict=True):
-            yield held, self._outcome(held, result, cpu_s) if heartbeat.holds(held) else _lost
+            yield held, self._outcome(held, result, cpu_s, heartbeat) if heartbeat.holds(held) else _lost
 
     def _read_profile(self, profile_id: str) -> Samples:
         with self.database.read() as session:
             return samples(session, profile_id)
 
-    def _outcome(self, held: Claim, result: Response | SolverError, cpu_s: float) -> Outcome:
+    def _outcome(self, held: Claim, result: Response | SolverError, cpu_s: float, heartbeat: Heartbeat) -> Outcome:
         """What came of a case, which took some processor time so far."""
         if isinstance(result, SolverError):  # the same again, however often it were tried
             return partial(lease.fail, held=held, code=result.code, detail=str(result))
         began = time.process_time()
         try:
-            rows, history = [peak_at_boundary(peak) for peak in peaks(result)], self._keep_history(held, result)
+            rows, history = (
+                [peak_at_boundary(peak) for peak in peaks(result)],
+                self._keep_history(held, result, heartbeat),
+            )
             record = processing(result)
         except Exception as error:
-            log.exception("attempt failed", case_ids=[held.case_id])
-            return self._give_up(held, error)
+            return self._broken_off(held, error)
         cpu_s += time.process_time() - began
         return partial(lease.succeed, held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
 
-    def _give_up(self, held: Claim, error: Exception) -> Outcome:
-        reason = f"{type(error).__name__}: {error}"
-        return partial(lease.give_up, held=held, max_attempts=self.settings.max_attempts, reason=reason)
+    def _broken_off(self, held: lease.Lease, error: Exception, ledger: ModuleType = lease) -> Outcome:
+        """The outcome of an attempt that an exception ended."""
+        if isinstance(error, lease.LeaseLostError):
+            return _lost
+        if isinstance(error, BLAMELESS):
+            return partial(ledger.release, held=held)
+        log.error("attempt failed", case_id=held.case_id, exc_info=error)
+        code, reason = (
+            "memory-limit" if isinstance(error, MemoryError) else "poison",
+            f"{type(error).__name__}: {error}",
+        )
+        return partial(ledger.give_up, held=held, max_attempts=self.settings.max_attempts, reason=reason, code=code)
 
-    def _keep_history(self, held: Claim, response: Response) -> dict[str, Any] | None:
+    def _keep_history(self, held: Claim, response: Response, heartbeat: Heartbeat) -> dict[str, Any] | None:
         """Store the history, if a study asks for it, before the transaction that tells of it. Should that never
         come, the object is an orphan, which the sweeper collects.
         """
-        with self.database.read() as session:
-            if not lease.wants_history(session, held.case_id):
-                return None
+
+        def wanted() -> bool:
+            with self.database.read() as session:
+                return lease.wants_history(session, held.case_id)
+
+        if not self._patiently(wanted, held, heartbeat):
+            return None
         content = archive(response)
         key = f"{held.digest}/{held.attempt}-{held.token}.npz"
-        self.histories.put(key, content)
+        self._patiently(partial(self.histories.put, key, content), held, heartbeat)
         return {"key": key, "digest": hashlib.sha256(content).hexdigest(), "size_bytes": len(content)}
 
-    def _write(self, outcome: Outcome) -> bool:
-        """Write an outcome down; while the database is away, wait for it rather than lose what was computed."""
-        deadline = time.monotonic() + PATIENCE_S
+    def _write(self, outcome: Outcome, held: lease.Lease, heartbeat: Heartbeat) -> bool:
+        """Write an outcome down. False if the lease is lost."""
+
+        def write() -> bool:
+            with self.database.write() as session:
+                return outcome(session)
+
+        try:
+            return self._patiently(write, held, heartbeat)
+        except lease.LeaseLostError:
+            return False
+
+    def _patiently(self, step: Callable[[], T], held: lease.Lease, heartbeat: Heartbeat) -> T:
+        """What a step gives. While the database or the store is away, wait rather than lose what was computed.
+
+        Raises
+        ------
+        LeaseLostError, StoppedError
+            If there is nothing to wait for any more.
+        """
         while True:
             try:
-                with self.database.write() as session:
-                    return outcome(session)
-            except (OperationalError, InterfaceError) as error:
-                if time.monotonic() > deadline:
-                    raise
-                log.warning("database unavailable", error=str(error))
-                time.sleep(0.5)
+                return step()
+            except AWAY as error:
+                logs.unavailable("database", error)
+            except STORE_ERRORS as error:
+                logs.unavailable("history store", error)
+            heartbeat.progress([held], 1.0)
+            self.stopping.wait(PAUSE_S)

@@ -1,19 +1,25 @@
-"""What a worker says while it computes: that it lives, and how far it is."""
+"""What a worker says while it computes: that it lives, how far it is, and that a case takes too long."""
 
+import faulthandler
+import math
 import threading
-from collections.abc import Callable, Sequence
-from types import TracebackType
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from types import ModuleType, TracebackType
 from typing import Self
 
-import structlog
 from sqlalchemy.exc import SQLAlchemyError
 
+from app import log
 from app.db.session import Database
+from app.settings import Settings
 from worker import lease
 
 LONGEST_SILENCE_S = 1.0  # a client sees progress at least this often
-
-log = structlog.get_logger()
+HANGS_AFTER_S = 300.0  # without a report of progress, which takes seconds on the largest mesh
+STANDARD_ERROR = 2  # the file descriptor, whatever stands in for it in Python
+TOGETHER = 3  # times as long as one case take those side by side, however many
 
 
 class StoppedError(Exception):
@@ -28,26 +34,26 @@ class Heartbeat:
     database : Database
     batch : sequence of Lease
         The cases, in the order in which to lock them.
-    lease_s : float
-        How long a lease is to last from each beat, s.
+    settings : Settings
     stopping : threading.Event
         Set when the worker is to stop.
-    extend : callable
-        Extends one lease; says whether it held.
+    ledger : module
+        Where it is written down: ``lease`` or ``verification``.
     """
 
     def __init__(
         self,
         database: Database,
         batch: Sequence[lease.Lease],
-        lease_s: float,
+        settings: Settings,
         stopping: threading.Event,
-        extend: Callable[..., bool] = lease.extend,
+        ledger: ModuleType = lease,
     ) -> None:
-        self._extend = extend
-        self._database, self._lease_s, self._stopping = database, lease_s, stopping
+        self._database, self._settings, self._stopping, self._ledger = database, settings, stopping, ledger
+        self._pause_s = min(settings.lease_s / 3, LONGEST_SILENCE_S)
         self._held = {held.case_id: held for held in batch}
         self._fractions = dict.fromkeys(self._held, 0.0)
+        self._deadline = self._leash_s = math.inf
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._run, name="heartbeat", daemon=True)
 
@@ -76,17 +82,40 @@ class Heartbeat:
             If this worker is to stop.
         """
         self._fractions.update((held.case_id, fraction) for held in batch)
+        self._watch()
         if not any(map(self.holds, batch)):
             raise lease.LeaseLostError
         if self._stopping.is_set():
             raise StoppedError
 
+    @contextmanager
+    def limited(self, cases: int) -> Iterator[None]:
+        """While so many cases are computed: those that take too long are given up, and if the solver hangs, so that it
+        does not hear of that, the process is ended.
+        """
+        limit_s = min(cases, TOGETHER) * self._settings.case_time_limit_s
+        self._deadline = time.monotonic() + limit_s
+        self._leash_s = min(limit_s + self._settings.lease_s, HANGS_AFTER_S)
+        self._watch()
+        try:
+            yield
+        finally:
+            self._deadline = self._leash_s = math.inf
+            faulthandler.cancel_dump_traceback_later()
+
+    def _watch(self) -> None:
+        """Let the process end, and its log tell where it hung, unless this is called again in time. The watchdog does
+        not wait for Python's lock, which compiled code may hold.
+        """
+        if self._leash_s < math.inf:
+            faulthandler.dump_traceback_later(self._leash_s, exit=True, file=STANDARD_ERROR)
+
     def _run(self) -> None:
-        while self._held and not self._over.wait(min(self._lease_s / 3, LONGEST_SILENCE_S)):
+        while self._held and not self._over.wait(self._pause_s):
             try:
-                lost = self._beat()
-            except SQLAlchemyError as error:  # the database will say, once it is back, which leases held
-                log.warning("heartbeat failed", case_ids=list(self._held), error=str(error))
+                lost = self._beat() if time.monotonic() < self._deadline else self._give_up()
+            except (SQLAlchemyError, MemoryError) as error:  # the database will say, once it is back, which leases held
+                log.unavailable("database", error)
                 continue
             for case_id in lost:
                 del self._held[case_id]
@@ -97,5 +126,13 @@ class Heartbeat:
             return [
                 case_id
                 for case_id, held in self._held.items()
-                if not self._extend(session, held, self._lease_s, self._fractions[case_id])
+                if not self._ledger.extend(session, held, self._settings.lease_s, self._fractions[case_id])
             ]
+
+    def _give_up(self) -> list[int]:
+        """End the attempts at what is held."""
+        attempts, reason = self._settings.max_attempts, f"it took longer than {self._settings.case_time_limit_s:g} s"
+        with self._database.write() as session:
+            for held in self._held.values():
+                self._ledger.give_up(session, held, attempts, reason, "time-limit")
+        return list(self._held)

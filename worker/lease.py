@@ -6,7 +6,7 @@
        +--------------+  release, give_up, lease expired
 
 Either of the first two becomes cancelled when no live study wants it any more, and each of the last three can be
-queued again (app/cases/queue.py).
+queued again (app/cases/queue.py). Where nobody can compute it, what is queued fails without having run (refuse).
 
 Every claim has a token. Whoever writes to a running case must hold it; a worker that was given up on, and
 comes back late, finds it changed and writes nothing.
@@ -103,10 +103,17 @@ def fail(session: Session, held: Lease, code: str, detail: str) -> bool:
     return True
 
 
-def give_up(session: Session, held: Lease, max_attempts: int, reason: str) -> bool:
-    """End an attempt that had no outcome: queue the case again or, after the last attempt, call it poison."""
+def refuse(session: Session, case_id: int, code: str, detail: str) -> None:
+    """Write down of a queued case, which the caller has locked, that nobody here can compute it."""
+    values = {"state": "failed", "finished_at": Clock(), "error": {"code": code, "detail": detail}}
+    session.execute(update(Case).where(Case.id == case_id).values(values))
+    events.case_ended(session, case_id, "failed")
+
+
+def give_up(session: Session, held: Lease, max_attempts: int, reason: str, code: str = "poison") -> bool:
+    """End an attempt that had no outcome: queue the case again or, after the last attempt, let it fail."""
     if held.attempt >= max_attempts:
-        return fail(session, held, "poison", f"{held.attempt} attempts had no outcome; the last: {reason}")
+        return fail(session, held, code, f"{held.attempt} attempts had no outcome; the last: {reason}")
     return _change(session, held, _QUEUED | {"error": {"code": "retried", "detail": reason}})
 
 

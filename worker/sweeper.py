@@ -9,6 +9,7 @@ from sqlalchemy import delete, exists, select
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
+from app import log as logs
 from app.db.models import Case, History, IdempotencyKey, Verification
 from app.db.session import Database
 from app.db.types import Clock
@@ -21,17 +22,35 @@ from worker.adopt import adopt
 from worker.retention import expire
 
 LONGEST_PAUSE_S = 5.0
-ORPHANED_AFTER_S = 3600.0  # an object this old, of which no row tells, will never be told of
+ORPHANED_AFTER_S = 3600.0
 EXPIRE_EVERY_S = 3600.0
 
 log = structlog.get_logger()
 
 
-def sweep(session: Session, max_attempts: int) -> bool:
+def sweep(session: Session, max_attempts: int, *, forbearing: bool = False) -> bool:
     """Queue again, or call poison, the cases of workers that fell silent. Returns whether there is work.
 
     Any number of sweepers may do this at once.
+
+    Parameters
+    ----------
+    session : Session
+        The transaction.
+    max_attempts : int
+        After how many attempts a case is called poison.
+    forbearing : bool
+        Whether to leave the silent alone for now: nobody could say that he lives.
     """
+    if not forbearing:
+        _take_back(session, max_attempts)
+    session.execute(delete(IdempotencyKey).where(IdempotencyKey.created_at < Clock() - KEPT_S))
+    adopt(session)
+    queued, due = select(Case.id).where(Case.state == "queued"), select(Verification.id).where(verification.due())
+    return bool(session.scalar(select(exists(queued) | exists(due))))
+
+
+def _take_back(session: Session, max_attempts: int) -> None:
     silent = (
         select(Case.id, Case.lease_token, Case.attempt, Case.worker)
         .where(Case.state == "running", Case.lease_expires < Clock())
@@ -41,16 +60,17 @@ def sweep(session: Session, max_attempts: int) -> bool:
         held = lease.Lease(case_id=row.id, token=row.lease_token, attempt=row.attempt)
         log.warning("lease expired", case_id=row.id, attempt=row.attempt, worker=row.worker)
         lease.give_up(session, held, max_attempts, f"worker {row.worker} fell silent")
-    session.execute(delete(IdempotencyKey).where(IdempotencyKey.created_at < Clock() - KEPT_S))
-    adopt(session)
-    queued, due = select(Case.id).where(Case.state == "queued"), select(Verification.id).where(verification.due())
-    return bool(session.scalar(select(exists(queued) | exists(due))))
 
 
 def collect_orphans(session: Session, histories: HistoryStore) -> int:
-    """Delete old objects of the history store that no row tells of. Returns how many."""
+    """Delete old objects of the history store that no row tells of, and none will. Returns how many.
+
+    None will once the lease is gone under which the object was written: a worker may have waited for the database.
+    """
+    held = session.scalars(select(Case.lease_token).where(Case.state == "running")).all()  # first: those may end now
     told = set(session.scalars(select(History.key)))
-    orphans = [key for key in histories.keys_older_than(ORPHANED_AFTER_S) if key not in told]
+    old = [key for key in histories.keys_older_than(ORPHANED_AFTER_S) if key not in told]
+    orphans = [key for key in old if not any(str(token) in key for token in held)]
     for key in orphans:
         histories.delete(key)
     return len(orphans)
@@ -60,13 +80,18 @@ class Sweeper:
     """Sweeps every few seconds, and says that this worker is there, in a thread for as long as the process lives.
 
     Every worker has one, so that there is one wherever there is anybody to do the work.
+
+    Parameters
+    ----------
+    settings : Settings
+    able : bool
+        Whether the worker can compute.
     """
 
-    def __init__(self, settings: Settings) -> None:
-        self._settings = settings
+    def __init__(self, settings: Settings, *, able: bool = True) -> None:
+        self._settings, self._able = settings, able
         self._database = Database(settings.resolved_database_url)
         self._doorbell = Doorbell(settings)
-        self._histories = HistoryStore(settings.resolved_storage_url)
         self._pause_s = min(settings.lease_s / 3, LONGEST_PAUSE_S)
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._run, name="sweeper", daemon=True)
@@ -83,11 +108,14 @@ class Sweeper:
 
     def _run(self) -> None:
         collected_at = expired_at = -math.inf
+        was_away = True  # the database, maybe: once it is back, workers first need the time to say that they live
         while True:
             try:
                 with self._database.write() as session:
-                    presence.announce(session, presence.own_name(), 3 * self._pause_s)
-                    queued = sweep(session, self._settings.max_attempts)
+                    if self._able:
+                        presence.announce(session, presence.own_name(), 3 * self._pause_s)
+                    queued = sweep(session, self._settings.max_attempts, forbearing=was_away)
+                was_away = False
                 if queued:
                     self._doorbell.ring()
                 if self._settings.retention_days and time.monotonic() - expired_at > EXPIRE_EVERY_S:
@@ -96,9 +124,17 @@ class Sweeper:
                             expired_at = time.monotonic()
                 if time.monotonic() - collected_at > ORPHANED_AFTER_S:
                     collected_at = time.monotonic()
-                    with self._database.read() as session:
-                        collect_orphans(session, self._histories)
-            except (SQLAlchemyError, *STORE_ERRORS) as error:
-                log.warning("sweep failed", error=str(error))
+                    self._collect()
+            except SQLAlchemyError as error:
+                was_away = True
+                logs.unavailable("database", error)
+            except STORE_ERRORS as error:
+                logs.unavailable("history store", error)
             if self._over.wait(self._pause_s):
                 return
+
+    def _collect(self) -> None:
+        histories = HistoryStore(self._settings.resolved_storage_url)
+        histories.remove_pieces_older_than(ORPHANED_AFTER_S)
+        with self._database.read() as session:
+            collect_orphans(session, histories)

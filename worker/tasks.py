@@ -1,18 +1,21 @@
 """What the bell sets off."""
 
+import faulthandler
 import os
 import threading
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from celery.signals import worker_init, worker_ready, worker_shutting_down
 
-from app import log
 from app.queue import WORK
-from solver.warm import warm
+from worker import memory
 from worker.celery import SETTINGS, app
-from worker.compute import Worker
 from worker.sweeper import Sweeper
+from worker.unable import UnableWorker
+
+if TYPE_CHECKING:
+    from worker.compute import Worker
 
 POLITENESS = 10  # where a machine is shared, requests are answered first
 
@@ -20,8 +23,22 @@ stopping = threading.Event()
 
 
 @cache
-def this_worker() -> Worker:
+def why_unable() -> Exception | None:
+    """Why the solver cannot be loaded, if it cannot."""
+    try:
+        import worker.compute  # noqa: F401, PLC0415
+    except Exception as error:
+        return error
+    return None
+
+
+@cache
+def this_worker() -> "Worker | UnableWorker":
     """The worker that this process is."""
+    if (reason := why_unable()) is not None:
+        return UnableWorker(SETTINGS, reason)
+    from worker.compute import Worker  # noqa: PLC0415
+
     return Worker(SETTINGS, stopping)
 
 
@@ -32,15 +49,23 @@ def work() -> None:
 
 
 @worker_init.connect  # type: ignore[untyped-decorator]  # as above
-def _prepare(**_: Any) -> None:
-    warm()  # before this worker says that it is there: no case waits for a compiler
+def _compile(**_: Any) -> None:
+    faulthandler.enable()
+    if why_unable() is None:
+        from solver.warm import warm  # noqa: PLC0415
+
+        warm()  # before this worker says that it is there: no case waits for a compiler
+
+
+@worker_init.connect  # type: ignore[untyped-decorator]  # as above
+def _be_modest(**_: Any) -> None:
+    memory.limit_to(SETTINGS.case_memory_mb)
     os.nice(POLITENESS)
 
 
 @worker_ready.connect  # type: ignore[untyped-decorator]  # as above
 def _start(**_: Any) -> None:
-    log.configure()
-    Sweeper(SETTINGS).start()
+    Sweeper(SETTINGS, able=why_unable() is None).start()
 
 
 @worker_shutting_down.connect  # type: ignore[untyped-decorator]  # as above

@@ -70,10 +70,10 @@ def release(session: Session, held: Claim) -> bool:
     return _change(session, held, {"state": "queued", "lease_token": None, "attempt": held.attempt - 1})
 
 
-def give_up(session: Session, held: Claim, max_attempts: int, reason: str) -> bool:
-    """End an attempt that had no outcome: try it again or, after the last attempt, call it poison."""
+def give_up(session: Session, held: Claim, max_attempts: int, reason: str, code: str = "poison") -> bool:
+    """End an attempt that had no outcome: try it again or, after the last attempt, let it fail."""
     if held.attempt >= max_attempts:
-        return fail(session, held, "poison", f"{held.attempt} attempts had no outcome; the last: {reason}")
+        return fail(session, held, code, f"{held.attempt} attempts had no outcome; the last: {reason}")
     return _change(session, held, {"state": "queued", "lease_token": None})
 
 

@@ -5,8 +5,10 @@ import hmac
 import re
 import secrets
 from collections.abc import Sequence
+from contextlib import suppress
 
 from sqlalchemy import or_, select, update
+from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from app.db.models import ApiKey, Scope
@@ -103,7 +105,7 @@ def authenticate(database: Database, sent: str) -> ApiKey | None:
     if row is None or not hmac.compare_digest(row.ApiKey.hash, _hash(parts[2])):
         return None
     if row.stale:
-        with database.write() as session:
+        with suppress(SQLAlchemyError), database.write() as session:  # on a full disk one can still read
             session.execute(update(ApiKey).where(ApiKey.id == row.ApiKey.id).values(last_used_at=Clock()))
     return row.ApiKey
 

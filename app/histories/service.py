@@ -13,7 +13,7 @@ from app.cases.schemas import case_file
 from app.context import Context
 from app.db.models import Case, History
 from app.histories.schemas import HistoryQuery, HistoryView
-from app.problems import RETRY_AFTER_S, Problem, not_found
+from app.problems import Problem, not_found, unavailable
 from app.storage import STORE_ERRORS
 
 if TYPE_CHECKING:
@@ -123,5 +123,4 @@ def _store_errors() -> Iterator[None]:
     try:
         yield
     except STORE_ERRORS as error:
-        detail = f"The history store does not answer: {type(error).__name__}."
-        raise Problem(503, detail, headers={"Retry-After": str(RETRY_AFTER_S)}) from error
+        raise unavailable(f"The history store does not answer: {type(error).__name__}.", error) from error
