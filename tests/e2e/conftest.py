@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
@@ -46,11 +46,11 @@ def study(*speeds: float, **numerics: float) -> dict[str, Any]:
 class Served:
     """A ``tracksweep serve`` and a client of it."""
 
-    def __init__(self, data: Path, *options: str, **environment: str) -> None:
+    def __init__(self, data: Path, *options: str, program: Sequence[str] = PROGRAM, **environment: str) -> None:
         self.data = data
         self.environment = clean_environment() | {"TRACKSWEEP_LEASE_S": "2"} | environment
         self.environment["TRACKSWEEP_DATA_DIR"] = str(data)
-        command = [*PROGRAM, "serve", "--port", "0", *options]
+        command = [*program, "serve", "--port", "0", *options]
         self.process = subprocess.Popen(
             command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL
         )
@@ -98,10 +98,10 @@ def clean_environment() -> dict[str, str]:
 
 
 @contextmanager
-def served(data: Path, *options: str, **environment: str) -> Iterator[Served]:
+def served(data: Path, *options: str, program: Sequence[str] = PROGRAM, **environment: str) -> Iterator[Served]:
     """A service that is killed at the end, if it still runs."""
     warm()  # here, once, rather than beside the tests' clocks
-    service = Served(data, *options, **environment)
+    service = Served(data, *options, program=program, **environment)
     try:
         yield service
     finally:

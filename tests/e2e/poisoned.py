@@ -10,7 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from app.serve import service
+from app.serve.supervisor import _die_with
+from worker.cli import main
+
 KILLS, HANGS, HOLDS, FILLS = 0.11, 0.12, 0.13, 0.14
+MEMORY_MB = 512
 
 
 def hang() -> None:
@@ -24,7 +29,8 @@ def hold() -> None:
 
 
 def fill() -> None:
-    np.ones(2**40 // 8)
+    """More than MEMORY_MB."""
+    np.ones(2 * MEMORY_MB * 2**20 // 8)
 
 
 DEEDS: dict[float, Callable[[], None]] = {
@@ -37,8 +43,6 @@ DEEDS: dict[float, Callable[[], None]] = {
 
 def poison() -> None:
     """Break the solver of this process."""
-    from worker import compute  # noqa: PLC0415
-
     solve = compute.solve
 
     def solve_or_not(cases: Sequence[Any], *rest: Any) -> Any:
@@ -49,11 +53,21 @@ def poison() -> None:
     compute.solve = solve_or_not
 
 
-if __name__ == "__main__":
-    from app.serve import service
-    from worker.cli import main
+def live_again_and_again() -> None:
+    """Return in one child after another: each is a worker that need not load the solver anew."""
+    this = os.getpid()
+    while os.fork():
+        os.wait()
+    _die_with(this)
 
+
+if __name__ == "__main__":
     service.PROGRAM = (sys.executable, "-m", "tests.e2e.poisoned")  # type: ignore[assignment]
     if sys.argv[1] == "worker":
+        from solver.warm import warm
+        from worker import compute, tasks  # noqa: F401
+
+        warm()
         poison()
+        live_again_and_again()
     main()
