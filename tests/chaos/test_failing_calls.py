@@ -1,7 +1,6 @@
 """The n-th statement fails, or the n-th call of the history store, at every step in the life of a study."""
 
 import threading
-import time
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -210,7 +209,7 @@ def life(tmp_path: Path, empty_url: str, monkeypatch: pytest.MonkeyPatch) -> Ite
     for name in ("peaks", "archive"):
         monkeypatch.setattr(compute, name, remembering(getattr(compute, name)))
     log.configure()  # in few words
-    monkeypatch.setattr(time, "sleep", lambda seconds: None)
+    monkeypatch.setattr(compute, "PAUSE_S", 0.0)
     monkeypatch.setattr(sweeper, "ORPHANED_AFTER_S", -60.0)
     life = Life(context)
     yield life
