@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, Row, Select, and_, case, func, or_, select
-from sqlalchemy.orm import Session
+from sqlalchemy.orm import Session, defer
 
 from app.db.models import Case, CaseState, Study, StudyCase
 from app.pagination import Order, fetch_page
@@ -68,5 +68,6 @@ def find_page(
     order = Order((ORDERS[query.sort.removeprefix("-")], Study.id), descending=query.sort.startswith("-"))
     keys, cursor = fetch_page(session, chosen, query, order, max_page_size)
     ids = [key.id for key in keys]
-    rows = {row.Study.id: row for row in session.execute(overview(StudyCase.study_id.in_(ids)))}
+    without_request = overview(StudyCase.study_id.in_(ids)).options(defer(Study.request))  # which may be large
+    rows = {row.Study.id: row for row in session.execute(without_request)}
     return [rows[study_id] for study_id in ids], cursor
