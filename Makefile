@@ -27,7 +27,7 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test test-slow lint format client generated verify bench bench-programme bench-rolland serve clean
+.PHONY: help install demo test test-slow chaos lint format client generated verify bench bench-programme bench-rolland serve clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' Makefile
@@ -42,6 +42,17 @@ test: lint  ## lint, types and every test that is not slow
 
 test-slow: $(INSTALLED)  ## the proofs that take long
 	@$(RUN) pytest -m slow
+
+CHAOS_SEEDS ?= 1 2 3 4
+CHAOS_FAULTS ?= 75
+
+chaos: $(INSTALLED)  ## break the service hundreds of times on each database, and write docs/reliability.md
+	@rm -rf chaos
+	@for database in sqlite postgresql; do for seed in $(CHAOS_SEEDS); do \
+		$(RUN) tests.chaos run chaos/$$database-$$seed.jsonl --database $$database --seed $$seed --faults $(CHAOS_FAULTS); done; done
+	@for control in no-tokens no-expiry; do \
+		$(RUN) tests.chaos run chaos/$$control.jsonl --database postgresql --faults 20 --control $$control; done
+	@$(RUN) tests.chaos report chaos/*.jsonl --out docs/reliability.md
 
 lint: $(INSTALLED)  ## ruff, mypy and the import contracts
 	@$(RUN) ruff check

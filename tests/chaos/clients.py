@@ -33,12 +33,12 @@ class UnansweredError(Exception):
 
 
 class Client(Thread):
-    """Asks for one study after another until told to stop, and then sees the last one through."""
+    """Asks for one study after another until told to stop, and then sees the last one through, until it is over."""
 
-    def __init__(self, url: str, record: Record, name: str, seed: int, stopping: Event) -> None:
-        super().__init__(name=name)
+    def __init__(self, url: str, record: Record, name: str, seed: int, stopping: Event, over: Event) -> None:
+        super().__init__(name=name, daemon=True)
         self._http = httpx.Client(base_url=url, timeout=20, trust_env=False)
-        self._record, self._stopping = record, stopping
+        self._record, self._stopping, self._over = record, stopping, over
         self._rng = Random(f"{seed} {name}")
         self._sweeps: list[dict[str, Any]] = []
         self._asked = 0
@@ -62,7 +62,8 @@ class Client(Thread):
         elif fate < 0.25:
             self._listen(study_id)
         while self._ask("GET", path, study=study_id)["state"] not in ENDED:
-            time.sleep(POLL_S)
+            if self._over.wait(POLL_S):
+                return
         self._ask("GET", "/v1/peaks", study=study_id, params={"study_id": study_id, "page_size": 500})
         if body["keep_history"]:
             self._fetch_history(path)
@@ -82,7 +83,7 @@ class Client(Thread):
             }
             self._sweeps.append(sweep)
         numerics = NUMERICS | {"window_s": self._rng.choice(WINDOWS_S)}
-        body = {"name": name, "sweep": sweep, "numerics": numerics, "keep_history": self._rng.random() < 0.4}
+        body = {"name": name, "sweep": sweep, "numerics": numerics, "keep_history": self._rng.random() < 0.6}
         return body | (HOPELESS if self._rng.random() < 0.03 else {})
 
     def _fetch_history(self, path: str) -> None:
@@ -94,14 +95,15 @@ class Client(Thread):
         """The answer to a request that is repeated until there is one, as the Python client does."""
         deadline = time.monotonic() + PATIENCE_S
         about = {"method": method, "path": path, "key": key, "study": study}
-        while time.monotonic() < deadline:
+        while time.monotonic() < deadline and not self._over.is_set():
             try:
                 answer = self._http.request(method, path, **request)
             except httpx.HTTPError as error:
                 self._record.write("no answer", **about, error=type(error).__name__)
             else:
-                self._record.write("answer", **about, **_told(answer))
-                if answer.status_code not in (429, 503):
+                told = _told(answer)
+                self._record.write("answer", **about, **told)
+                if not told["again"]:
                     return _content(answer)
             time.sleep(POLL_S)
         self._record.write("gave up", **about)
@@ -110,9 +112,8 @@ class Client(Thread):
     def _listen(self, study_id: str) -> None:
         """Follow the events of a study to its end, going on where the stream was cut."""
         heard: list[int] = []
-        deadline = time.monotonic() + PATIENCE_S
         ended = False
-        while not ended and time.monotonic() < deadline:
+        while not ended and not self._over.is_set():
             with suppress(httpx.HTTPError):
                 for number, kind in self._events(study_id, heard[-1] if heard else 0):
                     heard.append(number)
@@ -137,7 +138,7 @@ class Client(Thread):
 
 def _told(answer: httpx.Response) -> dict[str, Any]:
     """What is recorded of an answer."""
-    told: dict[str, Any] = {"status": answer.status_code, "retry_after": "retry-after" in answer.headers}
+    told: dict[str, Any] = {"status": answer.status_code, "again": "retry-after" in answer.headers}
     if answer.headers.get("content-type", "").endswith("json"):
         body = answer.json()
         told |= {name: body[name] for name in ("id", "state", "code") if name in body}

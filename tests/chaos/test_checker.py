@@ -62,7 +62,7 @@ class Story:
 
     def answer(self, method: str, path: str, *, status: int = 200, key: str = "", study: str = "", **more: Any) -> None:
         about = {"method": method, "path": path, "status": status, "key": key, "study": study}
-        self.add("answer", **about, retry_after=False, **more)
+        self.add("answer", **about, again=False, **more)
 
     def change(self, what: str, **fields: Any) -> dict[str, Any]:
         self.n += 1

@@ -1,0 +1,108 @@
+"""One run: clients, faults by a seeded schedule, calm, and what is left."""
+
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from random import Random
+from threading import Event, Lock
+
+from sqlalchemy import select
+
+from app.db.models import Case
+from app.storage import HistoryStore
+from tests.chaos import remains
+from tests.chaos.clients import Client
+from tests.chaos.faults import FAULTS, Fault, jump_clock
+from tests.chaos.record import Record
+from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, until
+
+CLIENTS, WORKERS = 3, 2
+PAUSE_S = 1.2  # between two faults, on average
+HIT_S = 60.0  # until there is something for a fault to hit
+VERIFIED = 10  # cases computed once more at the end
+CALM_S = 90.0  # for everything to end once nothing breaks any more
+
+
+def run(file: Path, database: str, faults: int, seed: int, calm_s: float = CALM_S, **environment: str) -> None:
+    """Write the record of a run."""
+    record = Record(file)
+    record.write(
+        "settings",
+        database=database,
+        seed=seed,
+        control=" ".join(environment),
+        lease_s=LEASE_S,
+        sweep_s=SWEEP_S,
+        max_attempts=MAX_ATTEMPTS,
+        workers=WORKERS,
+        clients=CLIENTS,
+        complete_set=remains.complete_set(),
+    )
+    with system(database, record, **environment) as made, made.running(WORKERS):
+        stopping, over = Event(), Event()
+        url = str(made.service.http.base_url)
+        clients = [Client(url, record, f"client-{n}", seed, stopping, over) for n in range(CLIENTS)]
+        for client in clients:
+            client.start()
+        try:
+            inject(made, faults, seed)
+        finally:
+            record.write("calm")
+            stopping.set()
+            deadline = time.monotonic() + calm_s
+            for client in clients:
+                client.join(max(0.0, deadline - time.monotonic()))
+            over.set()
+        verify(made, seed)
+        made.follower.close()
+        store = HistoryStore((made.data / "histories").as_uri())
+        record.write("remains", **remains.collect(made.follower.database, store))
+    record.close()
+
+
+def inject(made: System, count: int, seed: int) -> None:
+    """Let faults happen at random instants, also at the same time, but of each kind one at a time."""
+    rng = Random(seed)
+    alone = {fault: Lock() for fault in FAULTS}
+    with ThreadPoolExecutor(len(FAULTS)) as pool:
+        while count:
+            happening = []
+            for fault in deck(made, count, rng):
+                time.sleep(rng.expovariate(1 / PAUSE_S))
+                happening.append(pool.submit(happen, made, fault, Random(rng.random()), alone[fault]))
+            count -= sum(future.result() for future in happening)
+
+
+def deck(made: System, count: int, rng: Random) -> list[Fault]:
+    """Which faults, in which order: each as often as it weighs, shuffled."""
+    cards = [fault for fault, weight in FAULTS.items() for _ in range(weight) if made.library or fault != jump_clock]
+    drawn: list[Fault] = []
+    while len(drawn) < count:
+        rng.shuffle(cards)
+        drawn += cards
+    return drawn[:count]
+
+
+def happen(made: System, fault: Fault, rng: Random, alone: Lock) -> bool:
+    """Try for a while, until there is something to hit."""
+    with alone:
+        deadline = time.monotonic() + HIT_S
+        while time.monotonic() < deadline:
+            began = made.record.now()
+            if (details := fault(made, rng)) is not None:
+                made.record.write("fault", **{"fault": fault.__name__, "began": began} | details)
+                return True
+            time.sleep(0.05)
+    return False
+
+
+def verify(made: System, seed: int) -> None:
+    """Have some stored cases computed once more."""
+    with made.follower.database.read() as session:
+        succeeded = session.scalars(select(Case.id).where(Case.state == "succeeded").order_by(Case.id)).all()
+    http = made.service.http
+    paths = [f"/v1/cases/{n}/verification" for n in Random(seed).sample(succeeded, min(VERIFIED, len(succeeded)))]
+    for path in paths:
+        http.post(path).raise_for_status()
+    for path in paths:
+        until(lambda path=path: made.service.get(path)["state"] in ("succeeded", "failed"))
