@@ -1,6 +1,7 @@
 """Claiming, keeping and losing cases, on both databases."""
 
 import multiprocessing
+import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
@@ -33,6 +34,12 @@ def expire(database: Database) -> None:
     """Let every lease run out."""
     with database.write() as session:
         session.execute(update(Case).values(lease_expires=Clock() - 0.001))
+
+
+def swept(database: Database) -> bool:
+    """Whether a sweep found that there is something to do."""
+    with database.write() as session:
+        return sweep(session, max_attempts=3)
 
 
 def get(database: Database, case_id: int) -> Case:
@@ -156,6 +163,20 @@ def test_a_heartbeat_keeps_the_lease(database: Database, submit: Submit) -> None
         sweep(session, max_attempts=3)
     case = get(database, held.case_id)
     assert (case.state, case.progress, case.attempt) == ("running", 0.25, 1)
+
+
+def test_a_lease_is_no_longer_because_the_clock_was_set_back(database: Database, submit: Submit) -> None:
+    submit(300)
+    held = claim(database)
+    with database.write() as session:
+        session.execute(update(Case).values(lease_expires=Case.lease_expires + 600, heartbeat_at=Clock() + 600))
+    with database.write() as session:
+        assert not sweep(session, max_attempts=3)
+        assert lease.extend(session, held, 15.0, 0.5)  # whoever lives keeps it
+    with database.write() as session:
+        session.execute(update(Case).values(lease_expires=Clock() + 600.05, heartbeat_at=Clock() + 600))
+    while not swept(database):  # nobody does, and the lease is as long as it was given for
+        time.sleep(0.01)
 
 
 def test_poison_is_quarantined(database: Database, submit: Submit) -> None:
