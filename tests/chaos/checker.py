@@ -83,7 +83,7 @@ class Facts:
 
 def every_accepted_study_ends(facts: Facts) -> Iterator[str]:
     states = {study["id"]: study["state"] for study in facts.remains["studies"]}
-    for study_id in {answer["id"] for answer in facts.answers if answer["method"] == "POST" and answer["key"]}:
+    for study_id in {answer["id"] for answer in facts.answers if answer["key"] and answer["status"] == 201}:
         if study_id not in states and study_id not in facts.deleted:
             yield f"study {study_id} was accepted and is lost"
         elif states.get(study_id, "cancelled") not in STUDY_ENDED:
