@@ -6,6 +6,7 @@ from benchmarks.large import SIZES, TOO_MANY, handled
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 def test_the_largest_study_is_handled_in_bounded_memory() -> None:
     """`python -m benchmarks.large` prints the same figures, and seconds."""
     small, large = ({name: mb for name, (_, mb) in handled(cases).items()} for cases in SIZES)
