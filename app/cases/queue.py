@@ -13,10 +13,10 @@ order of their digests, before those of studies.
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
-from sqlalchemy import Row, func, select, text, update
+from sqlalchemy import Row, delete, func, select, text, update
 from sqlalchemy.orm import Session
 
-from app.db.models import Case, CaseState, Study, StudyCase
+from app.db.models import Case, CaseState, Peak, Study, StudyCase
 from app.db.types import Clock
 
 T = TypeVar("T")
@@ -91,11 +91,14 @@ def line_up(session: Session, cases: Iterable[Row[Any]], priority: int, begin: i
 
 
 def revive(session: Session, ids: Iterable[int], charged_to: int | None) -> None:
-    """Queue cases that had ended, as if they had never been tried. They are charged to whose key asks for that."""
+    """Queue cases that had ended, as if they had never been tried: where there is no success, there are no peaks. They
+    are charged to whose key asks for that.
+    """
     nothing = dict.fromkeys(("error", "processing", "started_at", "finished_at", "worker"))
     anew = {"state": "queued", "attempt": 0, "progress": 0.0, "charged_to": charged_to, **nothing}
     for some in batches(ids):
         session.execute(update(Case).where(Case.id.in_(some)).values(anew))
+        session.execute(delete(Peak).where(Peak.case_id.in_(some)))
 
 
 def call_off(session: Session, ids: Iterable[int]) -> None:

@@ -23,6 +23,7 @@ MOVES = {
     (None, "queued"),
     ("queued", "running"),
     ("queued", "cancelled"),
+    ("queued", "failed"),  # by a worker that can compute nothing
     ("running", "queued"),
     *(("running", state) for state in ENDED),
     *((state, "queued") for state in ENDED),
@@ -172,7 +173,7 @@ def studies_hear_of_every_end_once(facts: Facts) -> Iterator[str]:
             last[line["study_id"]] = line["now"]
             if line["now"] == "case":
                 due[line["study_id"], json.loads(line["detail"])["case_id"]] -= 1
-        elif line["what"] == "case" and line.get("was") == "running" and line.get("now") in ("succeeded", "failed"):
+        elif line["what"] == "case" and line.get("now") in ("succeeded", "failed"):
             due.update((study_id, line["case_id"]) for study_id in containing[line["case_id"]] & live)
     for (study_id, case_id), n in due.items():
         if n:

@@ -10,6 +10,7 @@ from app.context import Context
 from app.db.models import Case, Peak, Verification
 from app.db.session import Database
 from app.problems import Problem
+from app.studies import lifecycle
 from app.studies.schemas import StudyDetail
 from app.verifications import service
 from app.verifications.schemas import VerificationDetail
@@ -108,3 +109,19 @@ def test_differences_are_relative_to_the_largest_magnitude() -> None:
     old = [peak("a", maximum=2.0, minimum=-4.0), peak("b"), peak("c", mean=1.0), peak("d")]
     new = [peak("a", maximum=2.5, minimum=-4.0), peak("b"), peak("d", std=1e-300), peak("e", mean=1.0)]
     assert differences(old, new) == {"a": 0.125, "b": 0.0, "c": 1.0, "d": 1.0}
+
+
+def test_a_cancelled_computation_leaves_no_peaks(
+    context: Context, database: Database, submit: Submit, worker: Worker
+) -> None:
+    """The case had succeeded, and was to be computed once more for its history."""
+    first = submit(300)
+    worker.drain()
+    lifecycle.remove(context, first.id)
+    again = submit(300, keep_history=True)
+    assert again.cases.queued == 1
+    lifecycle.cancel(context, again.id)
+    assert stored(database) == []
+    submit(300)
+    worker.drain()
+    assert stored(database) != []
