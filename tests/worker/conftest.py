@@ -9,8 +9,6 @@ from typing import Any
 
 import pytest
 
-import migrations
-from app.cases.schemas import CaseFile
 from app.context import Context
 from app.db.session import Database
 from app.queue import Doorbell
@@ -18,7 +16,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail, StudyRequest
-from solver.simulate import solve
+from solver.warm import warm
 
 # The smallest case there is; it takes about a tenth of a second.
 QUICK = {
@@ -75,17 +73,9 @@ class Processes:
 
 
 @pytest.fixture
-def sqlite_settings(tmp_path: Path, sqlite_url: str, broker_url: str) -> Settings:
-    migrations.upgrade(sqlite_url)
-    return Settings(data_dir=tmp_path, database_url=sqlite_url, broker_url=broker_url, lease_s=2.0)
-
-
-@pytest.fixture
-def processes(sqlite_settings: Settings) -> Iterator[Processes]:
-    irregularity = {"kind": "harmonic", "wavelength_m": 2.0, "amplitude_mm": 0.1}
-    case = CaseFile.model_validate({"speed_kmh": 300, "irregularity": irregularity, "numerics": QUICK})
-    solve([case.to_case()])  # compiles the kernels here, once, rather than in every worker at the same time
-    processes = Processes(sqlite_settings)
+def processes(context: Context) -> Iterator[Processes]:
+    warm()  # here, once, rather than in every worker at the same time
+    processes = Processes(context.settings)
     yield processes
     for process in processes.running:
         process.kill()

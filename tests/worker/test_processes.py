@@ -3,15 +3,18 @@
 import signal
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, TypeVar
 
 import pytest
+from celery import Celery
+from kombu import disable_insecure_serializers, enable_insecure_serializers
 from sqlalchemy import func, select
 
 from app.context import Context
 from app.db.models import Case, Event, Peak
 from app.db.session import Database
-from app.queue import Doorbell
+from app.queue import QUEUE, WORK, Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies import service
@@ -39,35 +42,23 @@ def until(condition: Callable[[], T], timeout_s: float = 120.0) -> T:
 
 
 @pytest.fixture
-def database_url(sqlite_settings: Settings) -> str:
-    return sqlite_settings.database_url
-
-
-@pytest.fixture
-def context(sqlite_settings: Settings, database: Database) -> Context:
-    store = HistoryStore(sqlite_settings.resolved_storage_url)
-    return Context(sqlite_settings, database, Doorbell(sqlite_settings), store)
+def context(tmp_path: Path, database_url: str, database: Database, broker_url: str) -> Context:
+    """With a broker, unlike that of the other tests of workers."""
+    settings = Settings(data_dir=tmp_path, database_url=database_url, broker_url=broker_url, lease_s=2.0)
+    return Context(settings, database, Doorbell(settings), HistoryStore(settings.resolved_storage_url))
 
 
 def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail], processes: Any) -> None:
-    def state(study: StudyDetail) -> str:
-        with context.database.read() as session:
-            return service.get(session, study.id).state
-
     def running(attempt: int = 1) -> Case | None:
         with context.database.read() as session:
             running = select(Case).where(Case.state == "running", Case.attempt == attempt, Case.progress > 0)
             return session.scalars(running).first()
 
-    def there() -> int:
-        with context.database.read() as session:
-            return presence.count_with(session, "nobody") - 1
-
     # Two workers say that they are there. A bell wakes the first, which wakes the second.
     workers = {process.pid: process for process in (processes.start(), processes.start())}
-    until(lambda: there() == 2)
+    until(lambda: there(context) == 2)
     study = submit(200, 210, 220, 230)
-    until(lambda: state(study) == "succeeded")
+    until(lambda: state(context, study) == "succeeded")
 
     # A worker is killed: when its lease has run out another one takes the case.
     slow = submit(300, numerics=SECONDS_LONG)
@@ -87,8 +78,53 @@ def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail
 
     # A new one finds it without anybody ringing.
     processes.start()
-    until(lambda: state(slow) == "succeeded")
+    until(lambda: state(context, slow) == "succeeded")
     with context.database.read() as session:
         per_case = select(func.count(Peak.id)).group_by(Peak.case_id)
         assert len(set(session.scalars(per_case))) == 1
         assert session.scalar(select(func.count()).where(Event.kind == "done")) == 2
+
+
+@pytest.mark.parametrize("database_url", ["sqlite"], indirect=True)
+def test_messages_that_are_no_bells_are_refused(
+    context: Context, submit: Callable[..., StudyDetail], processes: Any, tmp_path: Path
+) -> None:
+    """Who reaches the broker can ring and nothing else: neither pickles nor commands are taken."""
+    marker = tmp_path / "marker"
+    harmful = Celery(broker=context.settings.broker_url, set_as_current=False)
+    harmful.conf.task_default_queue = QUEUE
+    enable_insecure_serializers()
+    try:
+        harmful.send_task(WORK, args=[Touch(str(marker))], serializer="pickle")
+        disable_insecure_serializers()
+        harmful.send_task("os.system", args=[f"touch {marker}"])
+        processes.start()
+        until(lambda: there(context) == 1)
+        harmful.control.broadcast("shutdown")
+        study = submit(200)  # the bell behind them is heard
+        until(lambda: state(context, study) == "succeeded")
+    finally:
+        harmful.close()
+    (process,) = processes.running
+    assert process.poll() is None
+    assert not marker.exists()
+
+
+class Touch:
+    """An object whose unpickling makes a file."""
+
+    def __init__(self, path: str) -> None:
+        self.path = path
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Path.touch, (Path(self.path),))
+
+
+def there(context: Context) -> int:
+    with context.database.read() as session:
+        return presence.count_with(session, "nobody") - 1
+
+
+def state(context: Context, study: StudyDetail) -> str:
+    with context.database.read() as session:
+        return service.get(session, study.id).state
