@@ -64,3 +64,13 @@ def test_every_operation_and_quantity_is_documented() -> None:
     }
     quantities = dict(re.findall(r"^\| `(\w+)` \| ([^`|]+) \| [^`]*\|$", page, re.MULTILINE))
     assert quantities == {quantity.name: quantity.unit for quantity in catalogue.quantities()}
+
+
+def test_every_test_that_the_threat_model_names_exists() -> None:
+    rows = re.findall(r"^\| .* \| .* \| (`tests/.*`) \|$", (ROOT / "docs/security.md").read_text(), re.MULTILINE)
+    named = [tuple(name.split("::")) for row in rows for name in re.findall(r"`([^`]+)`", row)]
+    assert len(rows) >= 15
+    assert len(rows) == len(re.findall(r"^\| (?!threat)\w", (ROOT / "docs/security.md").read_text(), re.MULTILINE))
+    for path, name in named:
+        tests = {node.name for node in ast.parse((ROOT / path).read_text()).body if isinstance(node, ast.FunctionDef)}
+        assert name in tests, f"{path} has no {name}"
