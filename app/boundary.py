@@ -3,9 +3,10 @@
 from dataclasses import MISSING, fields, is_dataclass, replace
 from dataclasses import Field as DataclassField
 from functools import cache
-from typing import Annotated, Any, ClassVar, get_type_hints
+from typing import Annotated, Any, ClassVar, TypeVar, get_type_hints
 
-from pydantic import BaseModel, ConfigDict, Field, create_model
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
+from pydantic_core import PydanticKnownError
 
 from solver.quantity import Quantity, quantities
 
@@ -14,6 +15,23 @@ class Strict(BaseModel):
     """Base of what clients send: unknown fields are refused, and numbers are numbers."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+def counted(most: int) -> BeforeValidator:
+    """Refuse a list that is too long before its items are looked at, each of which could be an error of its own."""
+
+    def check(value: object) -> object:
+        if isinstance(value, list) and len(value) > most:
+            lengths = {"field_type": "List", "max_length": most, "actual_length": len(value)}
+            raise PydanticKnownError("too_long", lengths)
+        return value
+
+    return BeforeValidator(check)
+
+
+T = TypeVar("T")
+MAX_LISTED = 20_000  # a body has not the space for many more
+Listed = Annotated[list[T], Field(min_length=1, max_length=MAX_LISTED), counted(MAX_LISTED)]
 
 
 def bounded(cls: type, name: str, scale: float = 1.0, unit: str | None = None) -> Any:

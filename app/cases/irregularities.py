@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Field, StringConstraints, Tag
 
-from app.boundary import Strict, bounded
+from app.boundary import Strict, bounded, counted
 from solver.case import Dip, Harmonic, Irregularity, Measured, Smooth, Spectral, Sum
 from solver.catalogue import SPECTRA
 from solver.quantity import InvalidParameterError
@@ -28,6 +28,9 @@ if TYPE_CHECKING:  # what is made at run time, as far as a type checker needs to
     SpectrumName: TypeAlias = str
 else:
     SpectrumName = Literal[tuple(SPECTRA)]
+
+
+Numbers = Annotated[list[float], counted(MAX_POINTS)]
 
 
 class Band(Strict):
@@ -55,11 +58,9 @@ class PowerLawSpectrum(OwnSpectrum):
     """``S = A / f^k``, piece by piece."""
 
     kind: Literal["power-law"]
-    coefficients: list[float] = Field(description="A of each piece.", min_length=1, max_length=MAX_POINTS)
-    exponents: list[float] = Field(description="k of each piece.", min_length=1, max_length=MAX_POINTS)
-    breaks: list[float] = Field(
-        description="Frequencies between the pieces.", max_length=MAX_POINTS, default_factory=list
-    )
+    coefficients: Numbers = Field(description="A of each piece.", min_length=1, max_length=MAX_POINTS)
+    exponents: Numbers = Field(description="k of each piece.", min_length=1, max_length=MAX_POINTS)
+    breaks: Numbers = Field(description="Frequencies between the pieces.", max_length=MAX_POINTS, default_factory=list)
 
 
 class RationalSpectrum(OwnSpectrum):
@@ -75,8 +76,8 @@ class TableSpectrum(OwnSpectrum):
     """Densities at frequencies, with straight lines between them in double logarithmic scale."""
 
     kind: Literal["table"]
-    frequencies: list[float] = Field(description="Increasing frequencies.", min_length=2, max_length=MAX_POINTS)
-    densities: list[float] = Field(description="Densities there.", min_length=2, max_length=MAX_POINTS)
+    frequencies: Numbers = Field(description="Increasing frequencies.", min_length=2, max_length=MAX_POINTS)
+    densities: Numbers = Field(description="Densities there.", min_length=2, max_length=MAX_POINTS)
 
 
 def _kind_of_spectrum(value: object) -> str | None:
@@ -246,9 +247,10 @@ class SumOf(Single):
     """Several irregularities added up."""
 
     kind: Literal["sum"]
-    terms: list[Annotated[HarmonicWave | SpectrumSample | SingleDip | StoredProfile, Field(discriminator="kind")]] = (
-        Field(min_length=1, max_length=MAX_TERMS)
-    )
+    terms: Annotated[
+        list[Annotated[HarmonicWave | SpectrumSample | SingleDip | StoredProfile, Field(discriminator="kind")]],
+        counted(MAX_TERMS),
+    ] = Field(min_length=1, max_length=MAX_TERMS)
 
     def irregularity(self, profiles: Profiles) -> Irregularity:
         """As the solver takes it."""

@@ -1,5 +1,7 @@
 """What can be done with profiles."""
 
+import re
+
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
@@ -15,9 +17,12 @@ from app.profiles import repository
 from app.profiles.schemas import ProfileInfo, ProfilePage, ProfileQuery
 from solver.profile import read_profile
 from solver.quantity import InvalidParameterError
-from solver.railhead import MIN_POINTS, Samples, profile_digest
+from solver.railhead import MAX_POINTS, MIN_POINTS, Samples, profile_digest
 
 HEADER = "x_m,eta_m"
+MAX_LINE, MAX_LINES = 1000, 5 * MAX_POINTS
+LINE_ENDS = "\n\r\v\f\x1c\x1d\x1e\x85\u2028\u2029"  # for str.splitlines
+_LONG_LINE = re.compile(f"[^{LINE_ENDS}]{{{MAX_LINE + 1}}}")
 
 
 def create(context: Context, text: str, caller: Caller) -> ProfileInfo:
@@ -41,6 +46,7 @@ def create(context: Context, text: str, caller: Caller) -> ProfileInfo:
 
 
 def _read(text: str) -> Samples:
+    _measure(text)
     try:
         samples = read_profile(text)
     except InvalidParameterError as error:
@@ -49,6 +55,15 @@ def _read(text: str) -> Samples:
     if (count := len(samples[0])) < MIN_POINTS:
         raise invalid("", "too-few-points", f"A profile has at least {MIN_POINTS} points, this one has {count}.")
     return samples
+
+
+def _measure(text: str) -> None:
+    """Refuse what would take long to read, or much memory."""
+    if (long := _LONG_LINE.search(text)) is not None:
+        n = len(text[: long.start() + 1].splitlines())
+        raise invalid(f"/line/{n}", "unreadable-line", f"Line {n} has more than {MAX_LINE} characters.")
+    if sum(map(text.count, LINE_ENDS)) > MAX_LINES:
+        raise invalid("", "too-many-lines", f"There are more than {MAX_LINES} lines, empty ones and remarks included.")
 
 
 def _row(samples: Samples) -> Profile:

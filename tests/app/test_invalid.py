@@ -287,5 +287,5 @@ def test_dates_at_the_ends_of_time(query: str, lenient_client: httpx.Client) -> 
 
 
 def test_many_errors_are_cut_short(lenient_client: httpx.Client, study: dict[str, Any], problem: Check) -> None:
-    study["sweep"]["speed_kmh"] = ["300"] * 100_000
+    study["sweep"]["speed_kmh"] = ["300"] * 10_000
     assert len(problem(lenient_client.post("/v1/studies", json=study), 422)["errors"]) == 100

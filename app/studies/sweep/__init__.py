@@ -12,10 +12,10 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from app.boundary import Strict
+from app.boundary import Listed, Strict
 from app.cases.irregularities import HarmonicWave, SingleDip, SmoothRail, SpectrumSample, StoredProfile, SumOf
 from app.cases.schemas import Speed, make_case
-from app.studies.sweep.axes import Axis, IrregularityAxes, Listed, SpeedAxis, SpeedRange, length, values
+from app.studies.sweep.axes import Axis, IrregularityAxes, SpeedAxis, SpeedRange, length, values
 from app.studies.sweep.vary import Changes, Vary, varied
 from solver.case import Case, Irregularity, Slab
 from solver.quantity import InvalidParameterError
@@ -205,7 +205,7 @@ class ListSweep(Strict):
     """Cases one by one."""
 
     kind: Literal["list"]
-    cases: list[ListedCase] = Field(min_length=1)
+    cases: Listed[ListedCase]
 
     def count(self) -> int:
         """How many cases there are."""

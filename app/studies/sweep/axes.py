@@ -3,12 +3,12 @@
 import math
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 from pydantic_core import PydanticCustomError
 
-from app.boundary import Strict
+from app.boundary import Listed, Strict
 from app.cases.irregularities import (
     AmplitudeMm,
     Band,
@@ -31,10 +31,6 @@ from app.cases.schemas import Speed
 from solver.case import Irregularity
 from solver.catalogue import SPECTRA
 from solver.railhead import Profiles
-
-T = TypeVar("T")
-
-Listed = Annotated[list[T], Field(min_length=1)]
 
 
 class SpeedRange(Strict):

@@ -3,12 +3,12 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias, get_type_hints
 
 from pydantic import ConfigDict, Field, ValidationError, create_model, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from app.boundary import Strict, apply, described, without_default
+from app.boundary import Listed, Strict, apply, described, without_default
 from solver.case import Numerics, Track, Vehicle
 from solver.quantity import Quantity, quantities
 
@@ -53,17 +53,22 @@ PARAMETERS = {
 }
 
 
+NAMED = 10  # unknown parameters that are told of at once
+
+
 class _ByPath(Strict):
     """Base of what is given by dotted paths."""
 
     model_config = ConfigDict(serialize_by_alias=True)
+    _near: ClassVar[bool]  # whether to look for the nearest of an unknown name, which takes a while
 
     @model_validator(mode="before")
     @classmethod
     def _known(cls, given: Any) -> Any:
         unknown = [path for path in given if path not in PARAMETERS] if isinstance(given, dict) else []
         if unknown:
-            errors = [InitErrorDetails(type=_unknown(path), loc=(path,), input=given[path]) for path in unknown]
+            some = {path: _unknown(path, near=cls._near) for path in unknown[:NAMED]}
+            errors = [InitErrorDetails(type=error, loc=(path,), input=given[path]) for path, error in some.items()]
             raise ValidationError.from_exception_data(cls.__name__, errors)
         return given
 
@@ -76,9 +81,9 @@ class _ByPath(Strict):
         }
 
 
-def _unknown(path: str) -> PydanticCustomError:
-    near = get_close_matches(path, PARAMETERS, n=3, cutoff=0.5)
-    hint = f"the nearest are {', '.join(near)}" if near else "get_limits lists what there is"
+def _unknown(path: str, *, near: bool) -> PydanticCustomError:
+    found = get_close_matches(path, PARAMETERS, n=3, cutoff=0.5) if near else []
+    hint = f"the nearest are {', '.join(found)}" if found else "get_limits lists what there is"
     return PydanticCustomError("unknown-parameter", "There is no such parameter; {hint}.", {"hint": hint})
 
 
@@ -86,10 +91,12 @@ def _by_path(name: str, doc: str, *, listed: bool) -> Any:
     definitions: dict[str, Any] = {}
     for parameter in PARAMETERS.values():
         number = Annotated[parameter.type, described(parameter.quantity)]  # type: ignore[name-defined]  # made here
-        hint = Annotated[list[number], Field(min_length=1)] if listed else number
+        hint = Listed[number] if listed else number
         default = Field(default=None, alias=parameter.path, json_schema_extra=without_default)
         definitions[parameter.path.replace(".", "__")] = (hint, default)
-    return create_model(name, __base__=_ByPath, __doc__=doc, **definitions)
+    model = create_model(name, __base__=_ByPath, __doc__=doc, **definitions)
+    model._near = listed  # single values come in lists of thousands of cases
+    return model
 
 
 if TYPE_CHECKING:  # what is made at run time, as far as a type checker needs to know
