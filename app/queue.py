@@ -4,6 +4,7 @@ from typing import Any
 
 from celery import Celery
 from kombu.connection import Connection
+from kombu.entity import Exchange, Queue
 from kombu.exceptions import ChannelError
 
 from app import log
@@ -16,11 +17,14 @@ QUEUE = "tracksweep"
 def broker_client(settings: Settings) -> Celery:
     """A Celery application that knows the broker. Nothing travels but the name of the task."""
     client = Celery("tracksweep", broker=settings.resolved_broker_url, set_as_current=False)
+    # A worker that owes an acknowledgement when the broker goes away never listens again (Celery 5.7, one process).
+    queue = Queue(QUEUE, Exchange(QUEUE), routing_key=QUEUE, no_ack=True)  # type: ignore[no-untyped-call]
     client.conf.update(
         accept_content=["json"],
         task_serializer="json",
         task_ignore_result=True,
         task_default_queue=QUEUE,
+        task_queues=[queue],
         broker_transport_options={"socket_connect_timeout": 2, "socket_timeout": 5, "max_retries": 0},
     )
     return client

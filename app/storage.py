@@ -10,7 +10,7 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from obstore.exceptions import BaseError, NotFoundError
+from obstore.exceptions import BaseError
 from obstore.store import LocalStore, ObjectStore, from_url
 
 STORE_ERRORS = (OSError, BaseError)
@@ -55,7 +55,7 @@ class HistoryStore:
 
     def delete(self, key: str) -> None:
         """Remove an object, unless somebody did."""
-        with suppress(NotFoundError):
+        with suppress(FileNotFoundError):
             self._store.delete(key)
 
     def keys_older_than(self, age_s: float) -> Iterator[str]:

@@ -18,7 +18,6 @@ app.conf.update(
     worker_concurrency=1,
     worker_prefetch_multiplier=1,
     worker_enable_remote_control=False,  # whoever reaches the broker may ring, and that is all
-    task_acks_late=True,  # or a busy worker would take the bell meant to wake an idle one
     broker_connection_retry_on_startup=True,
     broker_connection_max_retries=None,
     broker_channel_error_retry=True,  # as of a broker whose disk is full

@@ -82,6 +82,7 @@ def worker() -> None:
             "INFO",
             "--without-gossip",
             "--without-mingle",
+            "--without-heartbeat",  # which would wait, and tell nobody, for a broker that is away
         ]
     )
 

@@ -24,7 +24,7 @@ class UnableWorker:
     """
 
     def __init__(self, settings: Settings, reason: Exception) -> None:
-        self._database = Database(settings.resolved_database_url)
+        self.database = Database(settings.resolved_database_url)
         self._detail = f"The solver cannot be loaded: {type(reason).__name__}: {reason}"
 
     def drain(self) -> int:
@@ -38,7 +38,7 @@ class UnableWorker:
         return failed
 
     def _fail_some(self) -> int:
-        with self._database.write() as session:
+        with self.database.write() as session:
             if presence.count_with(session, presence.own_name()) > 1:
                 return 0
             own = Case.state == "queued", Case.solver_version == SOLVER_VERSION

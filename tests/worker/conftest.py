@@ -66,7 +66,7 @@ class Processes:
         names = ("data_dir", "database_url", "broker_url", "lease_s", "max_attempts")
         own = {f"TRACKSWEEP_{name.upper()}": str(getattr(self.settings, name)) for name in names}
         command = [sys.executable, "-m", "celery", "-A", "worker.celery", "worker", "--loglevel", "INFO"]
-        command += ["--without-gossip", "--without-mingle", "-n", f"{len(self.running)}@test"]
+        command += ["--without-gossip", "--without-mingle", "--without-heartbeat", "-n", f"{len(self.running)}@test"]
         with (self.settings.data_dir / f"worker-{len(self.running)}.log").open("wb") as log:
             self.running.append(subprocess.Popen(command, env=os.environ | own, stdout=log, stderr=log))
         return self.running[-1]

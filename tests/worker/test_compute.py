@@ -136,3 +136,15 @@ def test_a_case_taken_away_is_not_computed_to_its_end(context: Context, submit: 
     thread.join(timeout=20)
     assert not thread.is_alive()
     assert only_case(context).state == "cancelled"
+
+
+def test_a_case_that_takes_too_long_is_given_up(context: Context, submit: Submit) -> None:
+    submit(300, numerics=SLOW)
+    limits = {"case_time_limit_s": 0.2, "max_attempts": 2, "lease_s": 600.0}  # the watchdog would end this process
+    worker = Worker(context.settings.model_copy(update=limits), threading.Event())
+    assert worker.drain() == 2
+    case = only_case(context)
+    assert (case.state, case.attempt) == ("failed", 2)
+    assert case.error is not None
+    assert case.error["code"] == "time-limit"
+    worker.database.close()

@@ -129,6 +129,8 @@ def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(
     with database.write() as session:
         assert not sweep(session, max_attempts=3)  # still holds
     expire(database)
+    with database.write() as session:
+        assert not sweep(session, max_attempts=3, forbearing=True)  # as nobody could say that he lives
     with ThreadPoolExecutor(4) as pool:  # sweepers at once
 
         def run(_: int) -> bool:

@@ -43,17 +43,30 @@ def test_a_bell_is_rung_once_the_broker_is_back(
 
 
 def test_orphans_are_collected(context: Context, submit: Submit, tmp_path: Path) -> None:
-    submit(300, keep_history=True)
-    store = context.histories
-    for key in ("told/1-a.npz", "orphan/1-b.npz", "fresh/1-c.npz"):
-        store.put(key, b"history")
-    long_ago = time.time() - ORPHANED_AFTER_S - 60
-    for key in ("told/1-a.npz", "orphan/1-b.npz"):
-        os.utime(tmp_path / "histories" / key, (long_ago, long_ago))
+    submit(300, 310, keep_history=True)
     with context.database.write() as session:
-        (held,) = claim(session, "test", 15.0)
+        told, untold = claim(session, "test", 15.0), claim(session, "test", 15.0)
         history = {"key": "told/1-a.npz", "digest": "d" * 64, "size_bytes": 7}
-        assert lease.succeed(session, held, peaks=[], processing={}, history=history, cpu_s=0.0)
+        assert lease.succeed(session, told[0], peaks=[], processing={}, history=history, cpu_s=0.0)
+    waiting = f"waiting/1-{untold[0].token}.npz"  # of a worker that has waited for the database
+    old = ["told/1-a.npz", waiting, "orphan/1-b.npz"]
+    store = context.histories
+    for key in (*old, "fresh/1-c.npz"):
+        store.put(key, b"history")
+    pieces = ["orphan/1-d.npz#1", "orphan/1-d.npz#2"]  # of writers that were killed
+    long_ago = time.time() - ORPHANED_AFTER_S - 60
+    for piece in pieces:
+        (tmp_path / "histories" / piece).touch()
+    for key in (*old, pieces[0]):
+        os.utime(tmp_path / "histories" / key, (long_ago, long_ago))
+
+    store.remove_pieces_older_than(ORPHANED_AFTER_S)
     with context.database.read() as session:
         assert collect_orphans(session, store) == 1
-    assert sorted(store.keys_older_than(-60)) == ["fresh/1-c.npz", "told/1-a.npz"]
+    left = [file.relative_to(tmp_path / "histories") for file in (tmp_path / "histories").rglob("*.npz*")]
+    assert sorted(map(str, left)) == ["fresh/1-c.npz", pieces[1], "told/1-a.npz", waiting]
+    with context.database.write() as session:
+        lease.release(session, untold[0])
+    with context.database.read() as session:
+        assert collect_orphans(session, store) == 1
+    store.delete(waiting)  # as another sweeper may have done meanwhile
