@@ -52,7 +52,7 @@ PARAMETERS: dict[str, dict[str, Any]] = {
     "watch_study": {"Last-Event-ID": 0},
     "list_cases": {"state": "succeeded", "sort": "-speed_kmh", "page_size": 50},
     "get_history": {"quantity": ["wheel_rail_force"], "time_min_s": 0.1, "time_max_s": 0.2, "max_points": 500},
-    "list_peaks": _PEAKS | {"page_size": 50},
+    "list_peaks": _PEAKS | {"page_size": 50, "parameter": ["track.pad_stiffness_n_per_m"]},
     "export_peaks_csv": _PEAKS,
     "export_peaks_parquet": _PEAKS,
     "compare_study": {"axis": "slab", "quantity": "wheel_rail_force", "baseline": "continuous"},

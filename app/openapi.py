@@ -29,7 +29,7 @@ SOURCES = {
 }
 
 # Fields of answers that a service of the minor version before does not send: not required, for the client's sake.
-NEW = {"CaseDetail": {"processing"}}
+NEW = {"CaseDetail": {"processing"}, "PeakRow": {"parameters"}}
 
 
 def document(app: FastAPI) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import hashlib
 import json
 import math
 from base64 import urlsafe_b64decode, urlsafe_b64encode
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -45,7 +45,7 @@ class Order:
     def parts(self, statement: Select[Any], after: Sequence[Any] | None = None) -> Iterator[Select[Any]]:
         """The rows of a statement in order, part by part, behind the row that has these values."""
         first, *rest = self.columns
-        ordered = statement.order_by(*(c.desc() if self.descending else c.asc() for c in self.columns))
+        ordered = statement.order_by(*self.by(self.columns))
         if not self._nullable:
             yield ordered.where(*self._beyond(self.columns, after))
             return
@@ -54,13 +54,22 @@ class Order:
             after = None
         yield ordered.where(first.is_(None), *self._beyond(rest, after and after[1:]))
 
+    def by(self, columns: Iterable[Any]) -> list[ColumnElement[Any]]:
+        """These columns in the direction of the order."""
+        return [column.desc() if self.descending else column.asc() for column in columns]
+
     def _beyond(
         self, columns: Sequence[InstrumentedAttribute[Any]], values: Sequence[Any] | None
     ) -> list[ColumnElement[bool]]:
         if values is None:
             return []
-        here = tuple_(*columns)
-        return [here < tuple(values) if self.descending else here > tuple(values)]
+        here, there = tuple_(*columns), tuple(values)
+        beyond = [here < there if self.descending else here > there]
+        of_one = [column for column in columns if column.class_ is columns[0].class_]
+        if len(of_one) < len(columns):  # said once more for an index, which is of one table
+            here, there = tuple_(*of_one), there[: len(of_one)]
+            beyond.append(here <= there if self.descending else here >= there)
+        return beyond
 
     @property
     def _nullable(self) -> bool:
@@ -72,6 +81,9 @@ class Order:
             return False
         first_fits = (values[0] is None and self._nullable) or _fits(self.columns[0], values[0])
         return first_fits and all(map(_fits, self.columns[1:], values[1:]))
+
+
+Tell = Callable[[Select[Any], Order], Select[Any]]
 
 
 def _fits(column: InstrumentedAttribute[Any], value: object) -> bool:
@@ -106,9 +118,16 @@ def decode_cursor(cursor: str, question: str) -> list[Any]:
 
 
 def fetch_page(
-    session: Session, statement: Select[Any], query: PageQuery, order: Order, max_page_size: int
+    session: Session,
+    statement: Select[Any],
+    query: PageQuery,
+    order: Order,
+    max_page_size: int,
+    told: Tell = lambda part, _: part,
 ) -> tuple[Sequence[Row[Any]], str | None]:
     """The rows of a filtered statement that fall on one page, and the cursor of the next page if there are more.
+
+    For ``told`` see :func:`fetch`.
 
     Raises
     ------
@@ -123,11 +142,35 @@ def fetch_page(
         after = decode_cursor(query.cursor, question)
         if not order.accepts(after):
             raise invalid("/query/cursor", "cursor-unreadable", "The cursor is not one that a page gave.")
+    rows, place = fetch(session, statement, order, page_size, after, told)
+    return rows, None if place is None else encode_cursor(question, place)
+
+
+def fetch(
+    session: Session,
+    statement: Select[Any],
+    order: Order,
+    count: int,
+    after: Sequence[Any] | None,
+    told: Tell,
+) -> tuple[Sequence[Row[Any]], Sequence[Any] | None]:
+    """So many rows of a statement behind a place in an order, and the place of the last if there are more.
+
+    Parameters
+    ----------
+    session : Session
+    statement : Select
+    order : Order
+    count : int
+    after : sequence, optional
+        The place.
+    told : callable
+        Makes of a statement for some rows, which end in their places, the one for what is wanted of them, in the same
+        order and with the same end.
+    """
     places = [column.label(f"place_{n}") for n, column in enumerate(order.columns)]
     rows: list[Row[Any]] = []
     for part in order.parts(statement.add_columns(*places), after):
-        if len(rows) <= page_size:
-            rows += session.execute(part.limit(page_size + 1 - len(rows))).all()
-    if len(rows) <= page_size:
-        return rows, None
-    return rows[:page_size], encode_cursor(question, rows[page_size - 1][-len(places) :])
+        if len(rows) <= count:
+            rows += session.execute(told(part.limit(count + 1 - len(rows)), order)).all()
+    return rows[:count], rows[count - 1][-len(places) :] if len(rows) > count else None

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from anyio import to_thread
 from fastapi import Depends, Path, Request
-from sqlalchemy import ColumnElement, exists, or_, select
+from sqlalchemy import ColumnElement, Select, exists, or_, select
 from sqlalchemy.orm import Session
 
 from app.access.caller import Caller, CallerDep, forbidden, sender
@@ -33,6 +33,13 @@ def cases(caller: Caller, case_id: Any) -> Conditions:
         return []
     # Row by row, as rows are mostly read in some order and only until a page is full.
     return [exists(_containing(StudyCase).where(StudyCase.case_id == case_id, *studies(caller)))]
+
+
+def case_ids(caller: Caller) -> Select[Any]:
+    """The cases that a caller who is no administrator sees, maybe some twice: as a set, where most are asked for."""
+    shared = select(StudyShare.study_id).where(StudyShare.key_id == caller.key_id)
+    visible = select(Study.id).where(or_(Study.owner_id == caller.key_id, Study.id.in_(shared)))
+    return select(StudyCase.case_id).where(StudyCase.study_id.in_(visible))
 
 
 def profiles(caller: Caller) -> Conditions:

@@ -197,16 +197,25 @@ class StudyProfile(Base):
     profile_id: Mapped[str] = mapped_column(ForeignKey("profile.id"), primary_key=True, index=True)
 
 
+def _in_order_of(statistic: str) -> tuple[str, ...]:
+    """What an index holds from which peaks are read in this order. Which of them pass is seen there, without looking
+    rows up; docs/decisions/0007 tells more.
+    """
+    seen = "case_id", "position", "speed_kmh", "percentile", "peak"
+    return statistic, "id", *(name for name in seen if name != statistic)
+
+
 class Peak(Base):
     """Peak and statistics of one quantity at one position, in ``unit``, over the steady window of a case."""
 
     __tablename__ = "peak"
     __table_args__ = (
         UniqueConstraint("case_id", "quantity", "position"),
-        *(Index(None, name, "id") for name in ("quantity", "position", "unit", "peak")),
-        # In the order of a statistic; rows of other speeds and percentiles, with which it grows, are passed over
-        # without being looked up.
-        *(Index(f"ix_peak_by_{name}", "quantity", name, "id", "speed_kmh", "percentile") for name in STATISTICS),
+        Index("ix_peak_quantity", "quantity", "position", "id", "peak"),
+        Index("ix_peak_position", "position", "id", "peak"),
+        Index("ix_peak_unit", "unit", "id", "position", "peak"),
+        *(Index(f"ix_peak_{name}", *_in_order_of(name)) for name in STATISTICS),
+        *(Index(f"ix_peak_by_{name}", "quantity", *_in_order_of(name)) for name in STATISTICS),
     )
 
     id: Mapped[int] = mapped_column(BigKey, primary_key=True)

@@ -10,6 +10,11 @@ from sqlalchemy.orm import Session, sessionmaker
 
 BUSY_TIMEOUT_MS = 30_000  # what a writer waits for another before it gives up
 
+_READING: dict[str, dict[str, Any]] = {
+    "sqlite": {"read_only": True},
+    "postgresql": {"postgresql_readonly": True, "isolation_level": "REPEATABLE READ"},
+}
+
 
 class Database:
     """The two doors to a database.
@@ -27,7 +32,7 @@ class Database:
     def __init__(self, url: str) -> None:
         self.engine = create_engine_for(url)
         self._writers = sessionmaker(self.engine, expire_on_commit=False)
-        self._readers = sessionmaker(self.engine.execution_options(read_only=True, postgresql_readonly=True))
+        self._readers = sessionmaker(self.engine.execution_options(**_READING[self.engine.dialect.name]))
         # SQLite's own waiting looks again after ever longer pauses, so of many threads some would wait for seconds.
         self._turn = Lock() if self.engine.dialect.name == "sqlite" else nullcontext()
 

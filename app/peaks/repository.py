@@ -1,76 +1,76 @@
 """Peaks in the database."""
 
-from collections.abc import Callable, Iterator, Sequence
-from operator import eq, ge, le
+from collections.abc import Sequence
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, Select, cast, select
-from sqlalchemy.orm import InstrumentedAttribute, Session
-from sqlalchemy.sql.operators import in_op
+from sqlalchemy import ColumnElement, Row, Select, select
+from sqlalchemy.orm import Session
 
 from app.access import visibility
 from app.access.caller import Caller
-from app.db.models import CONDITIONS, Case, Peak, StudyCase
-from app.pagination import Order, fetch_page
-from app.peaks.schemas import COLUMNS, PeakFilters, PeakQuery
+from app.db.models import Case, Peak, Study
+from app.pagination import Order, Tell, fetch, fetch_page
+from app.peaks.plan import COLUMNS, plan
+from app.peaks.schemas import PeakFilters, PeakQuery
+from app.studies.sweep.vary import PARAMETERS
+from app.studies.varying import varied_paths
 
-Column = InstrumentedAttribute[Any]
-
-_COLUMNS: dict[str, Column] = {name: getattr(Case if name in CONDITIONS else Peak, name) for name in COLUMNS} | {
-    "case_id": Case.id
-}
-_EQUAL = (
-    *("quantity", "position", "slab", "irregularity", "spectrum"),
-    *("wavelength_min_m", "wavelength_max_m", "wavelength_m"),
-)
+Place = Sequence[Any]
 
 
 def find_page(
     session: Session, query: PeakQuery, max_page_size: int, caller: Caller
-) -> tuple[Sequence[Row[Any]], str | None]:
-    """A page of peaks with the conditions of their cases, and the next page's cursor."""
-    statement, order = ordered(query, caller)
-    return fetch_page(session, statement, query, order, max_page_size)
+) -> tuple[list[dict[str, Any]], str | None]:
+    """A page of peaks with the conditions and parameters of their cases, and the next page's cursor."""
+    paths = parameters(session, query, caller)
+    statement, order = plan(session, query, caller)
+    rows, cursor = fetch_page(session, statement, query, order, max_page_size, _telling(values(paths)))
+    begin, end = len(COLUMNS), len(COLUMNS) + len(paths)
+    return [
+        dict(zip(COLUMNS, row[:begin], strict=True)) | {"parameters": dict(zip(paths, row[begin:end], strict=True))}
+        for row in rows
+    ], cursor
 
 
-def ordered(filters: PeakFilters, caller: Caller) -> tuple[Select[Any], Order]:
-    """The peaks that pass the filters, of cases that the caller sees, with the conditions of their cases, and the order
-    they are wanted in.
+def find_some(
+    session: Session,
+    filters: PeakFilters,
+    caller: Caller,
+    more: Sequence[ColumnElement[Any]],
+    count: int,
+    after: Place | None,
+) -> tuple[Sequence[Row[Any]], Place | None]:
+    """So many peaks behind a place, with more of their cases, and the place of the last if there are others.
 
-    What both tables hold is asked of the one whose index gives the order, so that the other is looked up for few rows
-    only: of cases in the order of a condition, their peaks one after the other; or of peaks in their own.
+    The columns of the rows are followed by their places.
     """
-    column = _COLUMNS[filters.sort.removeprefix("-")]
-    by_case = column.class_ is Case
-    case_id = _without_index(Case.id) if by_case else Case.id
-    statement = select(*(each.label(name) for name, each in _COLUMNS.items())).join(Case, case_id == Peak.case_id)
-    for tested, compare, value in _conditions(filters, Case if by_case else Peak):
-        if value is not None:
-            plain = not by_case or tested is column
-            statement = statement.where(compare(tested if plain else _without_index(tested), value))
-    statement = statement.where(*visibility.cases(caller, Case.id if by_case else Peak.case_id))
-    columns = (column, Case.id, Peak.id) if by_case else (column, Peak.id)
-    return statement, Order(tuple(dict.fromkeys(columns)), descending=filters.sort.startswith("-"))
+    statement, order = plan(session, filters, caller)
+    return fetch(session, statement, order, count, after, _telling(more))
 
 
-def _without_index(column: Column) -> ColumnElement[Any]:
-    """To PostgreSQL, the column. SQLite has no index for a cast: it then reads cases in order and looks up their peaks,
-    rather than collect and sort all peaks of a quantity or all cases of a slab.
-    """
-    return cast(column, column.type)
+def _telling(more: Sequence[ColumnElement[Any]]) -> Tell:
+    def told(part: Select[Any], order: Order) -> Select[Any]:
+        keys = part.subquery()
+        places = [column for column in keys.c if column.name != Peak.id.name]
+        wanted = select(*COLUMNS.values(), *more, *places).join(keys, keys.c.id == Peak.id)
+        return wanted.join(Case, Case.id == Peak.case_id).order_by(*order.by(places))
+
+    return told
 
 
-def _conditions(
-    filters: PeakFilters, table: type[Case] | type[Peak]
-) -> Iterator[tuple[Column, Callable[[Any, Any], ColumnElement[bool]], Any]]:
-    """What is tested, how, and against what."""
-    for name in _EQUAL:
-        yield _COLUMNS[name], eq, getattr(filters, name)
-    yield table.percentile, eq, filters.percentile
-    yield table.speed_kmh, ge, filters.speed_kmh_min
-    yield table.speed_kmh, le, filters.speed_kmh_max
-    yield Peak.peak, ge, filters.value_min
-    yield Peak.peak, le, filters.value_max
-    if filters.study_id is not None:
-        of_study = select(StudyCase.case_id).where(StudyCase.study_id == filters.study_id)
-        yield (Case.id if table is Case else Peak.case_id), in_op, of_study
+def parameters(session: Session, filters: PeakFilters, caller: Caller) -> list[str]:
+    """Paths of the parameters that are asked for or, if none is, that the study of the filters varies."""
+    if filters.parameter or filters.study_id is None:
+        return list(dict.fromkeys(filters.parameter))
+    study = select(Study.request).where(Study.id == filters.study_id, *visibility.studies(caller))
+    request = session.scalar(study)
+    return [] if request is None else varied_paths(request)
+
+
+def values(paths: Sequence[str]) -> list[ColumnElement[Any]]:
+    """Parameters in the inputs of a case."""
+    found = []
+    for path in paths:
+        value = Case.inputs[PARAMETERS[path].inside]
+        found.append(value.as_integer() if PARAMETERS[path].type is int else value.as_float())
+    return found

@@ -10,7 +10,8 @@ from fastapi.responses import StreamingResponse
 from app.access.caller import CallerDep
 from app.context import ContextDep
 from app.download import PARQUET, binary
-from app.peaks import export, repository
+from app.peaks import repository
+from app.peaks.export import as_csv, export
 from app.peaks.schemas import PeakFilters, PeakPage, PeakQuery, PeakRow
 
 CSV = "text/csv"
@@ -23,13 +24,13 @@ def list_peaks(query: Annotated[PeakQuery, Query()], context: ContextDep, caller
     """List peaks across studies, with the conditions under which they occur."""
     with context.database.read() as session:
         rows, cursor = repository.find_page(session, query, context.settings.max_page_size, caller)
-    return PeakPage(items=[PeakRow.model_validate(row._asdict()) for row in rows], next_cursor=cursor)
+    return PeakPage(items=[PeakRow.model_validate(row) for row in rows], next_cursor=cursor)
 
 
 @router.get(".csv", response_class=Response, responses=binary(CSV))
 def export_peaks_csv(filters: Annotated[PeakFilters, Query()], context: ContextDep, caller: CallerDep) -> Response:
     """Export peaks as CSV, with the unit of each, its case's digest and the version of the solver."""
-    return _stream(export.as_csv(export.rows(context.database, filters, caller)), CSV, "peaks.csv")
+    return _stream(as_csv(export(context.database, filters, caller)), CSV, "peaks.csv")
 
 
 @router.get(".parquet", response_class=Response, responses=binary(PARQUET))
@@ -37,7 +38,7 @@ def export_peaks_parquet(filters: Annotated[PeakFilters, Query()], context: Cont
     """Export peaks as Parquet, with the unit of each, its case's digest and the version of the solver."""
     from app.peaks.parquet import as_parquet  # noqa: PLC0415 - Arrow is slow to load
 
-    return _stream(as_parquet(export.rows(context.database, filters, caller), filters), PARQUET, "peaks.parquet")
+    return _stream(as_parquet(export(context.database, filters, caller), filters), PARQUET, "peaks.parquet")
 
 
 def _stream(chunks: Iterator[bytes], media_type: str, filename: str) -> Response:

@@ -6,6 +6,7 @@ from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
 from app.cases.views import Conditions, Word
 from app.pagination import PageQuery
+from app.studies.sweep.vary import PARAMETERS
 
 
 class PeakRow(Conditions):
@@ -24,6 +25,10 @@ class PeakRow(Conditions):
     rms: float
     time_s: float = Field(description="When the peak occurs, s since the window began.")
     track_position_m: float = Field(description="Where the first wheelset is at that time, m.")
+    parameters: dict[str, int | float | None] = Field(
+        description="Parameters of the case by their paths, which end in their units: those asked for or, if none is "
+        "and a study is named, those that it varies. Null where a case is older than the parameter."
+    )
 
 
 class PeakPage(BaseModel):
@@ -33,10 +38,12 @@ class PeakPage(BaseModel):
     next_cursor: str | None
 
 
-COLUMNS = tuple(PeakRow.model_fields)
+COLUMNS = tuple(name for name in PeakRow.model_fields if name != "parameters")
 if TYPE_CHECKING:
     Sort: TypeAlias = str
+    ParameterPath: TypeAlias = str
 else:
+    ParameterPath = Literal[tuple(PARAMETERS)]
     Sort = Literal[tuple(sign + column for column in COLUMNS for sign in ("", "-"))]
 
 
@@ -59,6 +66,11 @@ class PeakFilters(BaseModel):
     wavelength_m: float | None = Field(default=None, description="Wavelength of a harmonic irregularity.")
     value_min: float | None = Field(default=None, description="Only peaks of at least this, in the quantity's unit.")
     value_max: float | None = Field(default=None, description="Only peaks of at most this, in the quantity's unit.")
+    parameter: Annotated[list[ParameterPath], Field(max_length=len(PARAMETERS))] = Field(
+        default=[],
+        description="Parameters of track, vehicle and numerics to tell of each peak's case, by their paths in a study; "
+        "may be repeated. If none is given and a study is, those that the study varies.",
+    )
     sort: Sort = Field(default="case_id", description="A column; with a minus sign, from large to small.")
 
 

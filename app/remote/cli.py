@@ -112,6 +112,10 @@ def peaks(
     wavelength_m: Annotated[float | None, typer.Option(help="Only of harmonic waves of this length.")] = None,
     value_min: Annotated[float | None, typer.Option(help="Only peaks of at least this, in SI.")] = None,
     value_max: Annotated[float | None, typer.Option(help="Only peaks of at most this, in SI.")] = None,
+    parameter: Annotated[
+        list[str] | None,
+        typer.Option(help="Tell this parameter of every case, too, by its path; those that a study varies by default."),
+    ] = None,
     sort: Annotated[str | None, typer.Option(help="A column; with a minus sign, from large to small.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write them to this file instead.")] = None,
     parquet: Annotated[Path | None, typer.Option(metavar="FILE", help="The same as Parquet.")] = None,
@@ -120,7 +124,7 @@ def peaks(
     """Print the peaks of all studies, or of those cases that pass the filters."""
     filters = {name: value for name, value in locals().items() if name not in ("csv", "parquet", "as_json")}
     filters["study_id"] = filters.pop("study")
-    given = {name: value for name, value in filters.items() if value is not None}
+    given = {name: value for name, value in filters.items() if value not in (None, [])}
     if csv is None and parquet is None:
         _print_peaks(given, as_json)
     else:

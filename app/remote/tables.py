@@ -23,6 +23,8 @@ CONDITIONS = {
 
 
 def table(rows: Sequence[dict[str, Any]]) -> Table:
-    """Peaks with those conditions in which they differ, and their speed."""
-    shown = {key: name for key, name in CONDITIONS.items() if key == "speed_kmh" or len({row[key] for row in rows}) > 1}
-    return peaks_table(rows, shown)
+    """Peaks with those conditions and parameters in which they differ, and their speed."""
+    flat = [row | row.get("parameters", {}) for row in rows]
+    headings = CONDITIONS | {path: path for row in rows for path in row.get("parameters", {})}
+    differing = {key for key in headings if len({row[key] for row in flat}) > 1}
+    return peaks_table(flat, {key: name for key, name in headings.items() if key == "speed_kmh" or key in differing})

@@ -10,12 +10,16 @@ import httpx
 import psycopg
 import pyarrow.parquet as pq
 import pytest
+from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
 from app.cases.views import CASE_ORDERS
+from app.db.models import Study
 from app.db.session import Database
-from app.peaks import export
+from app.peaks.export import as_csv, export
 from app.peaks.schemas import COLUMNS, PeakFilters
+from app.studies.presets import PRESETS
+from app.studies.varying import varied_paths
 from worker import lease
 from worker.claim import claim
 
@@ -48,7 +52,7 @@ def peaks(client: httpx.Client, database: Database, study: dict[str, Any]) -> li
 
 def test_peaks_come_with_their_conditions(peaks: list[dict[str, Any]]) -> None:
     assert len(peaks) == 3 * (4 + 8)
-    assert list(peaks[0]) == list(COLUMNS)
+    assert list(peaks[0]) == [*COLUMNS, "parameters"]
     assert {(each["irregularity"], each["percentile"], each["amplitude_mm"]) for each in peaks} == {
         *[("harmonic", None, amplitude) for amplitude in (0.1, 0.3)],
         *[("spectrum", percentile, None) for percentile in (25, 90)],
@@ -114,6 +118,8 @@ def test_exports_hold_what_pages_hold(client: httpx.Client, peaks: list[dict[str
     digests = {case: client.get(f"/v1/cases/{case}").json()["digest"] for case in {each["case_id"] for each in peaks}}
     for query in ({}, {"sort": "-percentile", "quantity": "pad_force"}, {"sort": "peak", "slab": "wooden"}):
         expected = [each | {"case_digest": digests[each["case_id"]]} for each in walk(client, **query)]
+        for each in expected:
+            assert each.pop("parameters") == {}
         answer = client.get("/v1/peaks.csv", params=query)
         assert answer.headers["content-type"] == "text/csv; charset=utf-8"
         assert answer.headers["content-disposition"] == 'attachment; filename="peaks.csv"'
@@ -137,16 +143,98 @@ def test_exports_refuse_what_pages_need(client: httpx.Client, problem: Callable[
         problem(client.get(f"/v1/peaks.{file}", params={"speed_kmh_min": "nan"}), 422)
 
 
+STIFFNESS, ELEMENTS, SHEAR = (
+    "track.pad_stiffness_n_per_m",
+    "numerics.elements_per_pad",
+    "track.joint.shear_stiffness_n_per_m",
+)
+
+
+@pytest.fixture
+def varied(client: httpx.Client, database: Database, study: dict[str, Any]) -> dict[str, Any]:
+    """A study that varies two parameters, with a peak for each of its cases."""
+    study["sweep"] |= {"vary": {STIFFNESS: [4e7, 6e7], ELEMENTS: [12, 14]}, "speed_kmh": [250]}
+    study["sweep"]["irregularity"]["amplitude_mm"] = [0.1]
+    created: dict[str, Any] = client.post("/v1/studies", json=study).json()
+    with database.write() as session:
+        while batch := claim(session, "test", 15.0, lanes=1):
+            found = [peak("pad_force", float(batch[0].case_id))]
+            assert lease.succeed(session, batch[0], peaks=found, processing={}, history=None, cpu_s=1.0)
+    return created
+
+
+def test_peaks_of_a_study_tell_what_it_varies(client: httpx.Client, varied: dict[str, Any]) -> None:
+    expected = [{STIFFNESS: k, ELEMENTS: n} for k in (4e7, 6e7) for n in (12, 14)]
+    found = walk(client, study_id=varied["id"])
+    assert [each["parameters"] for each in found] == expected
+    assert list(found[0]["parameters"]) == [STIFFNESS, ELEMENTS]
+    assert type(found[0]["parameters"][ELEMENTS]) is int
+    assert [each["parameters"] for each in walk(client)] == [{}] * 4
+    for each in found:
+        inputs = client.get(f"/v1/cases/{each['case_id']}").json()["inputs"]
+        assert inputs["track"]["pad_stiffness_n_per_m"] == each["parameters"][STIFFNESS]
+    rows = csv.DictReader(io.StringIO(client.get("/v1/peaks.csv", params={"study_id": varied["id"]}).text, newline=""))
+    assert [(float(row[STIFFNESS]), row[ELEMENTS]) for row in rows] == [
+        (each[STIFFNESS], str(each[ELEMENTS])) for each in expected
+    ]
+    table = pq.read_table(
+        io.BytesIO(client.get("/v1/peaks.parquet", params={"study_id": varied["id"]}).content),
+        columns=[STIFFNESS, ELEMENTS],
+    )
+    assert table.to_pylist() == expected
+    assert table.schema.field(STIFFNESS).metadata == {b"unit": b"N/m"}
+
+
+def test_any_parameter_can_be_asked_for(
+    client: httpx.Client, varied: dict[str, Any], problem: Callable[..., dict[str, Any]]
+) -> None:
+    query = {"parameter": [SHEAR, STIFFNESS, SHEAR], "study_id": varied["id"]}
+    items = client.get("/v1/peaks", params=query).json()["items"]
+    assert [list(each["parameters"]) for each in items] == [[SHEAR, STIFFNESS]] * 4
+    header, _, _ = client.get("/v1/peaks.csv", params={"parameter": SHEAR}).text.partition("\r\n")
+    assert header == ",".join([*COLUMNS, "case_digest", SHEAR])
+    assert {each["parameters"][SHEAR] for each in walk(client, parameter=SHEAR)} == {1e8}
+    details = problem(client.get("/v1/peaks", params={"parameter": "track.colour"}), 422)
+    assert details["errors"][0]["pointer"] == "/query/parameter/0"
+
+
+def test_lists_and_presets_vary_too() -> None:
+    one, other = {"vary": {SHEAR: 1e8}}, {"vary": {ELEMENTS: 14, STIFFNESS: 4e7}}
+    assert varied_paths({"sweep": {"kind": "list", "cases": [one, {}, other]}}) == [STIFFNESS, SHEAR, ELEMENTS]
+    of_presets = {name: varied_paths({"sweep": name}) for name in PRESETS}
+    assert of_presets == {name: list(preset.study["sweep"].get("vary", {})) for name, preset in PRESETS.items()}
+    assert any(of_presets.values())
+    assert varied_paths({"sweep": "a preset of the past"}) == []
+
+
+def test_an_export_holds_no_connection_while_somebody_reads(peaks: list[dict[str, Any]], database: Database) -> None:
+    """Else fifteen slow readers would exhaust PostgreSQL's pool. What comes meanwhile may be in the file or not."""
+    exports = [as_csv(export(database, PeakFilters(sort="-peak"), at_once=5)) for _ in range(20)]
+    begun = [next(each) for each in exports]
+    assert database.engine.pool.checkedout() == 0  # type: ignore[attr-defined]  # of every pool that is used
+    with database.write() as session:
+        session.execute(update(Study).values(name="written meanwhile"))
+    for begin, rest in zip(begun, exports, strict=True):
+        lines = b"".join([begin, *rest]).decode().splitlines()
+        assert [float(line["peak"]) for line in csv.DictReader(lines)] == sorted(
+            (each["peak"] for each in peaks), reverse=True
+        )
+
+
 @pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
 def test_an_export_breaks_off_with_the_database(peaks: list[dict[str, Any]], database: Database) -> None:
-    batches = export.rows(database, PeakFilters(), at_once=5)
-    written = export.as_csv(batches)
+    written = as_csv(export(database, PeakFilters(), at_once=5))
     assert next(written).count(b"\r\n") == 6
-    with psycopg.connect(database.engine.url.render_as_string().replace("+psycopg", "")) as other:
-        others = "pid <> pg_backend_pid() AND datname = current_database()"
-        other.execute(f"SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE {others}")
-    with pytest.raises(OperationalError):
-        list(written)
+    url = database.engine.url
+    with psycopg.connect(host=url.query["host"], user=url.username, dbname="postgres", autocommit=True) as other:
+        others = f"datname = '{url.database}'"
+        other.execute(f"ALTER DATABASE {url.database} ALLOW_CONNECTIONS false")
+        try:
+            other.execute(f"SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE {others}")
+            with pytest.raises(OperationalError):
+                list(written)
+        finally:
+            other.execute(f"ALTER DATABASE {url.database} ALLOW_CONNECTIONS true")
 
 
 def walk(client: httpx.Client, **query: str) -> list[dict[str, Any]]:

@@ -24,7 +24,9 @@ from .cpu_estimate import CpuEstimate
 from .cpu_estimate_basis import CpuEstimateBasis
 from .difference import Difference
 from .estimated_cases import EstimatedCases
+from .export_peaks_csv_parameter_item import ExportPeaksCsvParameterItem
 from .export_peaks_csv_sort import ExportPeaksCsvSort
+from .export_peaks_parquet_parameter_item import ExportPeaksParquetParameterItem
 from .export_peaks_parquet_sort import ExportPeaksParquetSort
 from .field_problem import FieldProblem
 from .field_source import FieldSource
@@ -39,6 +41,7 @@ from .joint_overrides import JointOverrides
 from .limits import Limits
 from .list_cases_sort import ListCasesSort
 from .list_cases_state import ListCasesState
+from .list_peaks_parameter_item import ListPeaksParameterItem
 from .list_peaks_sort import ListPeaksSort
 from .list_profiles_sort import ListProfilesSort
 from .list_studies_sort import ListStudiesSort
@@ -54,6 +57,7 @@ from .pairing_conditions import PairingConditions
 from .parameter_info import ParameterInfo
 from .peak_page import PeakPage
 from .peak_row import PeakRow
+from .peak_row_parameters import PeakRowParameters
 from .power_law_spectrum import PowerLawSpectrum
 from .power_law_spectrum_per import PowerLawSpectrumPer
 from .power_law_spectrum_sides import PowerLawSpectrumSides
@@ -153,7 +157,9 @@ __all__ = (
     "CpuEstimateBasis",
     "Difference",
     "EstimatedCases",
+    "ExportPeaksCsvParameterItem",
     "ExportPeaksCsvSort",
+    "ExportPeaksParquetParameterItem",
     "ExportPeaksParquetSort",
     "FieldProblem",
     "FieldSource",
@@ -170,6 +176,7 @@ __all__ = (
     "ListCasesState",
     "ListedCase",
     "ListedCaseSlab",
+    "ListPeaksParameterItem",
     "ListPeaksSort",
     "ListProfilesSort",
     "ListStudiesSort",
@@ -183,6 +190,7 @@ __all__ = (
     "ParameterInfo",
     "PeakPage",
     "PeakRow",
+    "PeakRowParameters",
     "PowerLawSpectrum",
     "PowerLawSpectrumPer",
     "PowerLawSpectrumSides",

@@ -1,10 +1,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from attrs import define as _attrs_define
 from attrs import field as _attrs_field
+
+from ..types import UNSET, Unset
+
+if TYPE_CHECKING:
+    from ..models.peak_row_parameters import PeakRowParameters
+
 
 T = TypeVar("T", bound="PeakRow")
 
@@ -38,6 +44,9 @@ class PeakRow:
         rms (float):
         time_s (float): When the peak occurs, s since the window began.
         track_position_m (float): Where the first wheelset is at that time, m.
+        parameters (PeakRowParameters | Unset): Parameters of the case by their paths, which end in their units: those
+            asked for or, if none is and a study is named, those that it varies. Null where a case is older than the
+            parameter.
     """
 
     speed_kmh: float
@@ -64,6 +73,7 @@ class PeakRow:
     rms: float
     time_s: float
     track_position_m: float
+    parameters: PeakRowParameters | Unset = UNSET
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -123,6 +133,10 @@ class PeakRow:
 
         track_position_m = self.track_position_m
 
+        parameters: dict[str, Any] | Unset = UNSET
+        if not isinstance(self.parameters, Unset):
+            parameters = self.parameters.to_dict()
+
         field_dict: dict[str, Any] = {}
         field_dict.update(self.additional_properties)
         field_dict.update(
@@ -153,11 +167,15 @@ class PeakRow:
                 "track_position_m": track_position_m,
             }
         )
+        if parameters is not UNSET:
+            field_dict["parameters"] = parameters
 
         return field_dict
 
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.peak_row_parameters import PeakRowParameters  # noqa: PLC0415
+
         d = dict(src_dict)
         speed_kmh = d.pop("speed_kmh")
 
@@ -247,6 +265,13 @@ class PeakRow:
 
         track_position_m = d.pop("track_position_m")
 
+        _parameters = d.pop("parameters", UNSET)
+        parameters: PeakRowParameters | Unset
+        if isinstance(_parameters, Unset):
+            parameters = UNSET
+        else:
+            parameters = PeakRowParameters.from_dict(_parameters)
+
         peak_row = cls(
             speed_kmh=speed_kmh,
             slab=slab,
@@ -272,6 +297,7 @@ class PeakRow:
             rms=rms,
             time_s=time_s,
             track_position_m=track_position_m,
+            parameters=parameters,
         )
 
         peak_row.additional_properties = d

@@ -6,6 +6,9 @@ import httpx
 
 from ... import errors
 from ...client import AuthenticatedClient, Client
+from ...models.export_peaks_csv_parameter_item import (
+    ExportPeaksCsvParameterItem,
+)
 from ...models.export_peaks_csv_sort import (
     ExportPeaksCsvSort,
 )
@@ -29,6 +32,7 @@ def _get_kwargs(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ExportPeaksCsvParameterItem] | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
 ) -> dict[str, Any]:
 
@@ -61,6 +65,15 @@ def _get_kwargs(
     params["value_min"] = value_min
 
     params["value_max"] = value_max
+
+    json_parameter: list[str] | Unset = UNSET
+    if not isinstance(parameter, Unset):
+        json_parameter = []
+        for parameter_item_data in parameter:
+            parameter_item: str = parameter_item_data
+            json_parameter.append(parameter_item)
+
+    params["parameter"] = json_parameter
 
     json_sort: str | Unset = UNSET
     if not isinstance(sort, Unset):
@@ -144,6 +157,7 @@ def sync_detailed(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ExportPeaksCsvParameterItem] | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
 ) -> Response[File | ProblemDetails]:
     """Export Peaks Csv
@@ -165,6 +179,9 @@ def sync_detailed(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ExportPeaksCsvParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ExportPeaksCsvSort | Unset): A column; with a minus sign, from large to small.
             Default: 'case_id'.
 
@@ -191,6 +208,7 @@ def sync_detailed(
         wavelength_m=wavelength_m,
         value_min=value_min,
         value_max=value_max,
+        parameter=parameter,
         sort=sort,
     )
 
@@ -218,6 +236,7 @@ def sync(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ExportPeaksCsvParameterItem] | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
 ) -> File | ProblemDetails | None:
     """Export Peaks Csv
@@ -239,6 +258,9 @@ def sync(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ExportPeaksCsvParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ExportPeaksCsvSort | Unset): A column; with a minus sign, from large to small.
             Default: 'case_id'.
 
@@ -266,6 +288,7 @@ def sync(
         wavelength_m=wavelength_m,
         value_min=value_min,
         value_max=value_max,
+        parameter=parameter,
         sort=sort,
     ).parsed
 
@@ -287,6 +310,7 @@ async def asyncio_detailed(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ExportPeaksCsvParameterItem] | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
 ) -> Response[File | ProblemDetails]:
     """Export Peaks Csv
@@ -308,6 +332,9 @@ async def asyncio_detailed(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ExportPeaksCsvParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ExportPeaksCsvSort | Unset): A column; with a minus sign, from large to small.
             Default: 'case_id'.
 
@@ -334,6 +361,7 @@ async def asyncio_detailed(
         wavelength_m=wavelength_m,
         value_min=value_min,
         value_max=value_max,
+        parameter=parameter,
         sort=sort,
     )
 
@@ -359,6 +387,7 @@ async def asyncio(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ExportPeaksCsvParameterItem] | Unset = UNSET,
     sort: ExportPeaksCsvSort | Unset = "case_id",
 ) -> File | ProblemDetails | None:
     """Export Peaks Csv
@@ -380,6 +409,9 @@ async def asyncio(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ExportPeaksCsvParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ExportPeaksCsvSort | Unset): A column; with a minus sign, from large to small.
             Default: 'case_id'.
 
@@ -408,6 +440,7 @@ async def asyncio(
             wavelength_m=wavelength_m,
             value_min=value_min,
             value_max=value_max,
+            parameter=parameter,
             sort=sort,
         )
     ).parsed

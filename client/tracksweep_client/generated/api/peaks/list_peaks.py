@@ -5,6 +5,9 @@ import httpx
 
 from ... import errors
 from ...client import AuthenticatedClient, Client
+from ...models.list_peaks_parameter_item import (
+    ListPeaksParameterItem,
+)
 from ...models.list_peaks_sort import ListPeaksSort
 from ...models.peak_page import PeakPage
 from ...models.problem_details import ProblemDetails
@@ -29,6 +32,7 @@ def _get_kwargs(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ListPeaksParameterItem] | Unset = UNSET,
     sort: ListPeaksSort | Unset = "case_id",
 ) -> dict[str, Any]:
 
@@ -65,6 +69,15 @@ def _get_kwargs(
     params["value_min"] = value_min
 
     params["value_max"] = value_max
+
+    json_parameter: list[str] | Unset = UNSET
+    if not isinstance(parameter, Unset):
+        json_parameter = []
+        for parameter_item_data in parameter:
+            parameter_item: str = parameter_item_data
+            json_parameter.append(parameter_item)
+
+    params["parameter"] = json_parameter
 
     json_sort: str | Unset = UNSET
     if not isinstance(sort, Unset):
@@ -152,6 +165,7 @@ def sync_detailed(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ListPeaksParameterItem] | Unset = UNSET,
     sort: ListPeaksSort | Unset = "case_id",
 ) -> Response[PeakPage | ProblemDetails]:
     """List Peaks
@@ -175,6 +189,9 @@ def sync_detailed(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ListPeaksParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
             'case_id'.
 
@@ -203,6 +220,7 @@ def sync_detailed(
         wavelength_m=wavelength_m,
         value_min=value_min,
         value_max=value_max,
+        parameter=parameter,
         sort=sort,
     )
 
@@ -232,6 +250,7 @@ def sync(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ListPeaksParameterItem] | Unset = UNSET,
     sort: ListPeaksSort | Unset = "case_id",
 ) -> PeakPage | ProblemDetails | None:
     """List Peaks
@@ -255,6 +274,9 @@ def sync(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ListPeaksParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
             'case_id'.
 
@@ -284,6 +306,7 @@ def sync(
         wavelength_m=wavelength_m,
         value_min=value_min,
         value_max=value_max,
+        parameter=parameter,
         sort=sort,
     ).parsed
 
@@ -307,6 +330,7 @@ async def asyncio_detailed(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ListPeaksParameterItem] | Unset = UNSET,
     sort: ListPeaksSort | Unset = "case_id",
 ) -> Response[PeakPage | ProblemDetails]:
     """List Peaks
@@ -330,6 +354,9 @@ async def asyncio_detailed(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ListPeaksParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
             'case_id'.
 
@@ -358,6 +385,7 @@ async def asyncio_detailed(
         wavelength_m=wavelength_m,
         value_min=value_min,
         value_max=value_max,
+        parameter=parameter,
         sort=sort,
     )
 
@@ -385,6 +413,7 @@ async def asyncio(
     wavelength_m: float | Unset = UNSET,
     value_min: float | Unset = UNSET,
     value_max: float | Unset = UNSET,
+    parameter: list[ListPeaksParameterItem] | Unset = UNSET,
     sort: ListPeaksSort | Unset = "case_id",
 ) -> PeakPage | ProblemDetails | None:
     """List Peaks
@@ -408,6 +437,9 @@ async def asyncio(
         wavelength_m (float | Unset): Wavelength of a harmonic irregularity.
         value_min (float | Unset): Only peaks of at least this, in the quantity's unit.
         value_max (float | Unset): Only peaks of at most this, in the quantity's unit.
+        parameter (list[ListPeaksParameterItem] | Unset): Parameters of track, vehicle and
+            numerics to tell of each peak's case, by their paths in a study; may be repeated. If none
+            is given and a study is, those that the study varies.
         sort (ListPeaksSort | Unset): A column; with a minus sign, from large to small. Default:
             'case_id'.
 
@@ -438,6 +470,7 @@ async def asyncio(
             wavelength_m=wavelength_m,
             value_min=value_min,
             value_max=value_max,
+            parameter=parameter,
             sort=sort,
         )
     ).parsed
