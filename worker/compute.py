@@ -15,7 +15,7 @@ from sqlalchemy.orm import Session
 
 from app import log as logs
 from app.db.session import Database
-from app.profiles.repository import samples
+from app.profiles.repository import UnknownProfileError, samples
 from app.queue import Doorbell
 from app.settings import Settings
 from app.storage import STORE_ERRORS, HistoryStore
@@ -167,6 +167,8 @@ class Worker:
             return _lost
         if isinstance(error, BLAMELESS):
             return partial(ledger.release, held=held)
+        if isinstance(error, UnknownProfileError):  # however often it were tried
+            return partial(ledger.fail, held=held, code="profile-deleted", detail=str(error))
         log.error("attempt failed", case_id=held.case_id, exc_info=error)
         code, reason = (
             "memory-limit" if isinstance(error, MemoryError) else "poison",

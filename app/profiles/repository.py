@@ -1,7 +1,8 @@
 """Profiles in the database: positions and then heights, as doubles, little end first, of which the id is the digest."""
 
 import struct
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from sqlalchemy import ColumnElement, delete, exists, insert, select
 from sqlalchemy.orm import Session
@@ -12,6 +13,18 @@ from app.db.models import Profile, ProfileKey, Study, StudyProfile
 from app.problems import invalid
 from solver.case import Case, Irregularity, Measured, Sum
 from solver.railhead import Samples
+
+
+class UnknownProfileError(KeyError):
+    """There is no such profile, or none that the caller sees.
+
+    Parameters
+    ----------
+    profile_id : str
+    """
+
+    def __str__(self) -> str:
+        return f"The measured profile {self.args[0]} is not stored."
 
 
 def pack(samples: Samples) -> bytes:
@@ -25,13 +38,12 @@ def samples(session: Session, profile_id: str, caller: Caller = ANYBODY) -> Samp
 
     Raises
     ------
-    KeyError
-        If there is no such profile, or the caller does not see it.
+    UnknownProfileError
     """
     visible = Profile.id == profile_id, *visibility.profiles(caller)
     packed = session.scalar(select(Profile.samples).where(*visible))
     if packed is None:
-        raise KeyError(profile_id)
+        raise UnknownProfileError(profile_id)
     values = struct.unpack(f"<{len(packed) // 8}d", packed)
     return values[: len(values) // 2], values[len(values) // 2 :]
 
@@ -39,6 +51,14 @@ def samples(session: Session, profile_id: str, caller: Caller = ANYBODY) -> Samp
 def used_by(cases: Iterable[Case]) -> list[str]:
     """Identifiers of the profiles that cases run over."""
     return sorted({each.profile for case in cases for each in _terms(case.irregularity) if isinstance(each, Measured)})
+
+
+def lacking(session: Session, inputs: dict[str, Any]) -> str | None:
+    """A profile that a case, as its ``Case.to_dict()``, runs over and that is not stored any more."""
+    irregularity = inputs["irregularity"]
+    named = [each["profile"] for each in irregularity.get("terms", [irregularity]) if "profile" in each]
+    stored = set(session.scalars(select(Profile.id).where(Profile.id.in_(named))))
+    return next((profile_id for profile_id in named if profile_id not in stored), None)
 
 
 def _terms(irregularity: Irregularity) -> Iterable[Irregularity]:
@@ -61,10 +81,10 @@ def hold(session: Session, study_id: str, profile_ids: list[str]) -> None:
         session.execute(insert(StudyProfile), places)
 
 
-def is_held(session: Session, profile_id: str, *visible: ColumnElement[bool]) -> bool:
-    """Whether a study, or one of the visible ones, uses a profile."""
+def held_by(session: Session, profile_id: str, count: int, *visible: ColumnElement[bool]) -> Sequence[str]:
+    """Identifiers of so many studies, or of the visible ones, that use a profile."""
     using = select(Study.id).join(StudyProfile).where(StudyProfile.profile_id == profile_id, *visible)
-    return bool(session.scalar(select(exists(using))))
+    return session.scalars(using.order_by(Study.created_at, Study.id).limit(count)).all()
 
 
 def claim(session: Session, profile_id: str, key_id: int | None) -> None:

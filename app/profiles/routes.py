@@ -66,7 +66,7 @@ def download_profile(profile_id: ProfileId, context: ContextDep, request: Reques
 
 
 @router.delete(
-    "/{profile_id}", status_code=204, response_class=Response, responses={409: {"description": "A study uses it"}}
+    "/{profile_id}", status_code=204, response_class=Response, responses={409: {"description": "Studies use it"}}
 )
 def delete_profile(profile_id: ProfileId, context: ContextDep, caller: CallerDep) -> None:
     """Delete a profile that no study uses."""

@@ -23,6 +23,7 @@ HEADER = "x_m,eta_m"
 MAX_LINE, MAX_LINES = 1000, 5 * MAX_POINTS
 LINE_ENDS = "\n\r\v\f\x1c\x1d\x1e\x85\u2028\u2029"  # for str.splitlines
 _LONG_LINE = re.compile(f"[^{LINE_ENDS}]{{{MAX_LINE + 1}}}")
+MAX_NAMED = 10  # studies that a refusal names
 
 
 def create(context: Context, text: str, caller: Caller) -> ProfileInfo:
@@ -127,10 +128,11 @@ def remove(context: Context, profile_id: str, caller: Caller) -> None:
     with context.database.write() as session:
         one_at_a_time(session)
         profile = _find(session, profile_id)
-        if repository.is_held(session, profile_id, *visibility.studies(caller)):
-            raise Problem(409, "A study uses the profile. Delete the study first.", code="profile-in-use")
+        if using := repository.held_by(session, profile_id, MAX_NAMED + 1, *visibility.studies(caller)):
+            named = [*using[:MAX_NAMED], *["others"] * (len(using) > MAX_NAMED)]
+            raise Problem(409, f"Used by studies, to be deleted first: {', '.join(named)}.", code="profile-in-use")
         nobodys = caller.is_admin or repository.disclaim(session, profile_id, caller.key_id)
-        if nobodys and not repository.is_held(session, profile_id):
+        if nobodys and not repository.held_by(session, profile_id, 1):
             session.delete(profile)
 
 

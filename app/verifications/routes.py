@@ -11,7 +11,7 @@ from app.verifications.schemas import VerificationDetail
 router = APIRouter(prefix="/v1/cases/{case_id}/verification", tags=["cases"])
 
 
-@router.post("", status_code=202, responses={409: {"description": "Not computed"}})
+@router.post("", status_code=202, responses={409: {"description": "Not computed, or over a deleted profile"}})
 def verify_case(case_id: CaseId, context: ContextDep, caller: CallerDep) -> VerificationDetail:
     """Let a stored case be computed once more, when no queued case waits, to see whether it gives the same numbers."""
     return service.request(context, case_id, caller)

@@ -9,6 +9,7 @@ from app.cases import queue
 from app.context import Context
 from app.db.models import Case, Verification
 from app.problems import Problem, not_found
+from app.profiles import repository as profiles
 from app.verifications.schemas import VerificationDetail
 
 
@@ -18,7 +19,8 @@ def request(context: Context, case_id: int, caller: Caller = ANYBODY) -> Verific
     Raises
     ------
     Problem
-        404 if there is no such case, 409 if it has no result to be verified, 429 if the caller's quota is used up.
+        404 if there is no such case, 409 if it has no result to be verified or its profile was deleted, 429 if the
+        caller's quota is used up.
     """
     with context.database.write() as session:
         queue.one_at_a_time(session)
@@ -27,6 +29,9 @@ def request(context: Context, case_id: int, caller: Caller = ANYBODY) -> Verific
             raise not_found("case")
         if case.state != "succeeded":
             raise Problem(409, f"The case is {case.state}: there is nothing to verify.", code="case-not-succeeded")
+        if (profile_id := profiles.lacking(session, case.inputs)) is not None:
+            detail = f"The case runs over the measured profile {profile_id}, which was deleted. Store it again first."
+            raise Problem(409, detail, code="profile-deleted")
         latest = _latest(session, case_id)
         if latest is None or latest.state not in queue.UNFINISHED:
             quotas.check(session, caller)

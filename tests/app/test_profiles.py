@@ -114,7 +114,7 @@ def test_a_profile_that_a_study_uses_stays(client: httpx.Client, study: dict[str
     within = study | {"sweep": study["sweep"] | {"irregularity": {"kind": "sum", "terms": terms}}}
     created = client.post("/v1/studies", json=within)
     assert created.status_code == 201, created.text
-    problem(client.delete(url), 409, "profile-in-use")
+    assert created.json()["id"] in problem(client.delete(url), 409, "profile-in-use")["detail"]
     client.post(f"{created.headers['location']}/cancel")
     client.delete(created.headers["location"])
     assert client.delete(url).status_code == 204
