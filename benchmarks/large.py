@@ -23,7 +23,7 @@ import migrations
 from app.db.models import Case, Peak, StudyCase
 from app.db.session import Database
 from app.serve.service import listen, url_of
-from benchmarks.peaks import BATCH, PEAKS_PER_CASE, peaks_of
+from benchmarks.million import BATCH, PEAKS_PER_CASE, peaks_of
 from benchmarks.results import Result, publish
 
 SIZES = (1_000, 10_000)
@@ -139,7 +139,7 @@ def handled(cases: int) -> dict[str, tuple[float, float]]:
 def compute(database: Database, study_id: str) -> None:
     """Give the cases of a study peaks, as workers would."""
     chance = random.Random(1)  # noqa: S311 - not a secret
-    columns = Case.id, Case.speed_kmh, Case.percentile
+    columns = Case.id, Case.speed_kmh, Case.slab, Case.percentile, Case.amplitude_mm
     of_study = select(*columns).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
     with database.write() as session:
         cases = session.execute(of_study).mappings().all()

@@ -1,8 +1,9 @@
 """Peaks as files, made while they are sent: neither the service nor the database client ever holds all rows.
 
-They are read part by part, each from one state of the database, and while a part is sent no connection is held. What is
-stored meanwhile may be in the file or not; what was there before and stays is in it once. If the database goes
-away, the answer breaks off without its end, which every HTTP client notices.
+They are read part by part, each from one state of the database and behind where the part before ended, and while a
+part is sent no connection is held: a client may take its time. What is stored or deleted meanwhile may be in the file
+or not; all else is in it once. If the database goes away, the answer breaks off without its end, which every HTTP
+client notices.
 """
 
 import csv
