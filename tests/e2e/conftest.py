@@ -83,7 +83,7 @@ class Served:
     def ended(self, study_id: str) -> dict[str, Any]:
         """A study once it has ended."""
         ended = {"succeeded", "partially_failed", "failed", "cancelled"}
-        return until(lambda: s if (s := self.get(f"/v1/studies/{study_id}"))["state"] in ended else None, 120)
+        return until(lambda: s if (s := self.get(f"/v1/studies/{study_id}"))["state"] in ended else None, 240)
 
     def stop(self) -> int:
         """The exit code after a Ctrl-C."""
