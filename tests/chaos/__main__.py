@@ -16,7 +16,6 @@ from tests.chaos.record import read
 
 # What a control takes away, and how.
 CONTROLS = {
-    "none": {},
     "no-tokens": {"CHAOS_WITHOUT_TOKENS": "1"},  # who lost a lease may still write
     "no-expiry": {"TRACKSWEEP_LEASE_S": "3600"},  # who is silent is waited for
 }
@@ -32,7 +31,7 @@ def main() -> None:
     run.add_argument("--database", choices=["sqlite", "postgresql"], required=True)
     run.add_argument("--faults", type=int, default=75)
     run.add_argument("--seed", type=int, default=1)
-    run.add_argument("--control", choices=CONTROLS, default="none")
+    run.add_argument("--control", choices=CONTROLS)
     report = commands.add_parser("report", help="check records")
     report.add_argument("records", type=Path, nargs="+")
     report.add_argument("--out", type=Path, help="where to write the report")
@@ -61,12 +60,14 @@ def run_once(options: argparse.Namespace) -> None:
     from tests.chaos.campaign import run  # noqa: PLC0415
 
     options.record.parent.mkdir(parents=True, exist_ok=True)
-    calm = {} if options.control == "none" else {"calm_s": CONTROL_CALM_S}
-    run(options.record, options.database, options.faults, options.seed, **calm, **CONTROLS[options.control])
+    run_of = {"file": options.record, "database": options.database, "faults": options.faults, "seed": options.seed}
+    if options.control:
+        run_of |= {"control": options.control, "environment": CONTROLS[options.control], "calm_s": CONTROL_CALM_S}
+    run(**run_of)
     violated = {rule: found for rule, found in check(read(options.record)).items() if found}
     for rule, found in violated.items():
         print(f"{rule.replace('_', ' ')}: {len(found)} violations", *found[:5], sep="\n  ")
-    sys.exit(bool(violated) != (options.control != "none"))
+    sys.exit(bool(violated) != bool(options.control))
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 """One run: clients, faults by a seeded schedule, calm, and what is left."""
 
 import time
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 from threading import Event, Lock
+from types import MappingProxyType
 
 from sqlalchemy import select
 
@@ -18,19 +20,28 @@ from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, u
 
 CLIENTS, WORKERS = 3, 2
 PAUSE_S = 1.2  # between two faults, on average
+PATIENCE_S = 120.0  # until a worker is there again
 HIT_S = 60.0  # until there is something for a fault to hit
 VERIFIED = 10  # cases computed once more at the end
 CALM_S = 90.0  # for everything to end once nothing breaks any more
 
 
-def run(file: Path, database: str, faults: int, seed: int, calm_s: float = CALM_S, **environment: str) -> None:
-    """Write the record of a run."""
+def run(
+    file: Path,
+    database: str,
+    faults: int,
+    seed: int,
+    control: str = "",
+    calm_s: float = CALM_S,
+    environment: Mapping[str, str] = MappingProxyType({}),
+) -> None:
+    """Write the record of a run, or of a control, whose environment takes something away."""
     record = Record(file)
     record.write(
         "settings",
         database=database,
         seed=seed,
-        control=" ".join(environment),
+        control=control,
         lease_s=LEASE_S,
         sweep_s=SWEEP_S,
         max_attempts=MAX_ATTEMPTS,
@@ -69,6 +80,7 @@ def inject(made: System, count: int, seed: int) -> None:
             happening = []
             for fault in deck(made, count, rng):
                 time.sleep(rng.expovariate(1 / PAUSE_S))
+                until(made.workers, PATIENCE_S)  # or nothing is done that could be broken
                 happening.append(pool.submit(happen, made, fault, Random(rng.random()), alone[fault]))
             count -= sum(future.result() for future in happening)
 

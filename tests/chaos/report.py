@@ -17,7 +17,11 @@ def write(records: Sequence[Path], out: Path | None) -> int:
     """Check records and write the report, or print it. Returns the exit code: 0 if every rule held, and every control
     broke one.
     """
-    runs = [(Facts(lines), check(lines)) for lines in map(read, records)]
+    found = {path: Facts(read(path)) for path in records}
+    if broken_off := [path for path, facts in found.items() if not facts.of("remains")]:
+        print("Broken off:", *broken_off)
+        return 1
+    runs = [(facts, check(facts.lines)) for facts in found.values()]
     text = "\n".join(_page([run for run in runs if not _control(run)], [run for run in runs if _control(run)]))
     if out is None:
         print(text)

@@ -1,11 +1,14 @@
 """The checker on records made by hand: a sound one, and one violation after another."""
 
+import json
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.chaos.checker import check
+from tests.chaos.report import write
 
 Lines = list[dict[str, Any]]
 LEASE_S, SWEEP_S = 2.0, 0.5
@@ -19,6 +22,9 @@ class Story:
             {
                 "t": 0.0,
                 "kind": "settings",
+                "database": "sqlite",
+                "seed": 1,
+                "control": "",
                 "lease_s": LEASE_S,
                 "sweep_s": SWEEP_S,
                 "max_attempts": 3,
@@ -200,10 +206,10 @@ def notice_late(story: Story) -> None:
 
 
 def compute_twice(story: Story) -> None:
-    for n in range(3):
+    for n in range(100):
         story.move(1, "succeeded" if n == 0 else "running", "queued", was_token=f"again {n - 1}" if n else None)
         story.move(1, "queued", "running", token=f"again {n}")
-    story.end(1, token="again 2")
+    story.end(1, token="again 99")
     story.event("done")
 
 
@@ -253,3 +259,26 @@ def test_a_silent_worker_is_waited_for_as_long_as_its_lease_and_until_somebody_s
     story = Story()
     fall_silent(story, noticed_s=noticed_s, swept=swept)
     assert not check(story.record)["silent_workers_are_noticed"]
+
+
+def test_the_report_says_what_was_found_and_whether_that_is_as_it_should_be(tmp_path: Path) -> None:
+    """No violation in a run, and some in a control."""
+
+    def reported(control: str, spoil: Callable[[Story], None] | None) -> tuple[int, str]:
+        story = Story()
+        story.lines[0]["control"] = control
+        story.add("fault", fault="kill_worker", began=story.t)
+        if spoil is not None:
+            spoil(story)
+        (tmp_path / "record.jsonl").write_text("".join(json.dumps(line) + "\n" for line in story.record))
+        return write([tmp_path / "record.jsonl"], tmp_path / "report.md"), (tmp_path / "report.md").read_text()
+
+    code, page = reported("", None)
+    assert code == 0
+    assert "| kill worker | 1 |" in page
+    assert "| no case is done twice | 0 |" in page
+    code, page = reported("", commit_twice)
+    assert code == 1
+    assert "| no case is done twice | 1 |" in page
+    assert reported("no-tokens", None)[0] == 1
+    assert reported("no-tokens", commit_twice)[0] == 0
