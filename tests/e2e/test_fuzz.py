@@ -17,7 +17,7 @@ from tests.e2e.conftest import Served, clean_environment, served
 
 ROOT = Path(__file__).parents[2]
 SMALL = dict.fromkeys(("TRACKSWEEP_READS_PER_MINUTE", "TRACKSWEEP_WRITES_PER_MINUTE"), "0") | {
-    "TRACKSWEEP_MAX_CASES_PER_STUDY": "20"
+    "TRACKSWEEP_MAX_CASES_PER_STUDY": "100"
 }
 PROGRAM = Path(sys.executable).parent / "schemathesis"
 CONFIG = ROOT / "tests/e2e/schemathesis.toml"
