@@ -22,10 +22,7 @@ CASES = 100  # of every study that a client creates
 HOW = """`tracksweep serve` with two workers, both computing all the time. {clients} clients at once take {turns} turns
 each: in every turn they list studies and peaks, get a study, its cases and one case, and in every fifth they create a
 study of {cases} new cases. Between two requests a client thinks for {pause:g} s on average. Milliseconds are from
-request to answer, over one connection per client.
-
-A study of {large} cases is then created, listed page by page, exported and deleted, still beside the workers;
-*largest* is the largest resident size of the API's process after each, in MB."""
+request to answer, over one connection per client."""
 
 
 def harmonic(cases: int, salt: float) -> dict[str, Any]:
