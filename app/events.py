@@ -62,6 +62,6 @@ def finish_if_done(session: Session, study_id: str) -> None:
 
 def state_now(session: Session, study_id: str) -> str:
     """Write down the state that a study has come to. Returns it."""
-    state = str(session.execute(repository.overview(StudyCase.study_id == study_id)).one().state)
+    state = repository.state(session, study_id)
     record(session, study_id, "state", {"state": state})
     return state

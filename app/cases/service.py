@@ -10,6 +10,7 @@ from app.pagination import Order, fetch_page
 from app.problems import not_found
 
 ORDERS = {name: getattr(StudyCase if name == "position" else Case, name) for name in CASE_ORDERS}
+SUMMARY = [getattr(Case, name) for name in CaseSummary.model_fields]  # without the inputs, of which a page has many
 
 
 def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: int) -> CasePage:
@@ -20,9 +21,9 @@ def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: 
     Problem
         404 if there is no such study.
     """
-    if session.get(Study, study_id) is None:
+    if session.scalar(select(Study.id).where(Study.id == study_id)) is None:
         raise not_found("study")
-    statement = select(Case).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
+    statement = select(*SUMMARY).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
     for name in ("state", "slab", "irregularity", "percentile"):
         if (value := getattr(query, name)) is not None:
             statement = statement.where(getattr(Case, name) == value)
@@ -32,7 +33,7 @@ def list_page(session: Session, study_id: str, query: CaseQuery, max_page_size: 
         statement = statement.where(Case.speed_kmh <= query.speed_kmh_max)
     order = Order((ORDERS[query.sort.removeprefix("-")], Case.id), descending=query.sort.startswith("-"))
     rows, cursor = fetch_page(session, statement, query, order, max_page_size)
-    return CasePage(items=[CaseSummary.model_validate(row.Case) for row in rows], next_cursor=cursor)
+    return CasePage(items=[CaseSummary.model_validate(row) for row in rows], next_cursor=cursor)
 
 
 def get(session: Session, case_id: int) -> CaseDetail:

@@ -13,7 +13,7 @@ from app.cases.repository import work
 from app.context import Context
 from app.db.models import Case as CaseRow
 from app.db.models import History
-from app.studies import forecast, service
+from app.studies import forecast, loads, service
 from app.studies.caveats import Caveat, caveats
 from app.studies.schemas import FinishEstimate, StudyRequest
 from solver.case import Case
@@ -79,7 +79,7 @@ def estimate(context: Context, request: StudyRequest, caller: Caller = ANYBODY) 
         )
         own, basis = forecast.cpu_s(session, [_load(by_digest[digest]) for digest in new])
         end = next_turn(session, request.priority, caller.key_id) + len(by_digest)
-        before, _ = forecast.cpu_s(session, forecast.before_turn(session, request.priority, end))
+        before, _ = forecast.cpu_s(session, loads.before_turn(session, request.priority, end))
         shared = [row.digest for row in known.values() if row.state == "queued" and _later(row, request.priority, end)]
         forward, _ = forecast.cpu_s(session, [_load(by_digest[digest]) for digest in shared])
         finish = forecast.finish(session, own + before + forward) if counts.new + counts.in_flight else None
@@ -94,8 +94,8 @@ def estimate(context: Context, request: StudyRequest, caller: Caller = ANYBODY) 
     )
 
 
-def _load(case: Case) -> forecast.Load:
-    return forecast.Load(case.operator_key(), 1.0, work(case))
+def _load(case: Case) -> loads.Load:
+    return loads.Load(case.operator_key(), 1.0, work(case))
 
 
 def _known(session: Session, digests: Iterable[str]) -> Iterator[Row[Any]]:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any, get_args
 
-from sqlalchemy import ColumnElement, Row, Select, and_, case, func, or_, select
+from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, case, func, or_, select
 from sqlalchemy.orm import Session, defer
 
 from app.db.models import Case, CaseState, Study, StudyCase
@@ -48,9 +48,19 @@ def overview(*of: ColumnElement[bool]) -> Select[Any]:
     return select(Study, *columns, state.label("state")).join(tally, n.study_id == Study.id)
 
 
+# Put together once: that takes longer than the database takes to answer.
+_ONE = overview(StudyCase.study_id == bindparam("study_id"))
+_PAGE = overview(StudyCase.study_id.in_(bindparam("ids", expanding=True))).options(defer(Study.request))  # large ones
+
+
 def find(session: Session, study_id: str) -> Row[Any] | None:
     """The overview of one study."""
-    return session.execute(overview(StudyCase.study_id == study_id)).one_or_none()
+    return session.execute(_ONE, {"study_id": study_id}).one_or_none()
+
+
+def state(session: Session, study_id: str) -> str:
+    """The state of a study that is there."""
+    return str(session.execute(_ONE, {"study_id": study_id}).one().state)
 
 
 def find_page(
@@ -68,6 +78,5 @@ def find_page(
     order = Order((ORDERS[query.sort.removeprefix("-")], Study.id), descending=query.sort.startswith("-"))
     keys, cursor = fetch_page(session, chosen, query, order, max_page_size)
     ids = [key.id for key in keys]
-    without_request = overview(StudyCase.study_id.in_(ids)).options(defer(Study.request))  # which may be large
-    rows = {row.Study.id: row for row in session.execute(without_request)}
+    rows = {row.Study.id: row for row in session.execute(_PAGE, {"ids": ids})}
     return [rows[study_id] for study_id in ids], cursor

@@ -17,7 +17,7 @@ from app.context import Context
 from app.db.models import Study, StudyCase
 from app.problems import FieldProblem, Problem, invalid, not_found
 from app.profiles import repository as profiles
-from app.studies import forecast, repository
+from app.studies import forecast, loads, repository
 from app.studies.schemas import (
     CaseCounts,
     FinishEstimate,
@@ -158,6 +158,6 @@ def _summary(row: Row[Any]) -> dict[str, Any]:
 def _finish(session: Session, row: Row[Any]) -> FinishEstimate | None:
     if row.state not in ("queued", "running"):
         return None
-    loads = [*forecast.left(session, row.Study.id), *forecast.ahead(session, row.Study)]
-    cpu, _ = forecast.cpu_s(session, loads)
+    to_come = [*loads.left(session, row.Study.id), *loads.ahead(session, row.Study)]
+    cpu, _ = forecast.cpu_s(session, to_come)
     return forecast.finish(session, cpu)
