@@ -4,6 +4,7 @@ import hashlib
 import json
 import math
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, Literal, get_args
 
 from solver.quantity import Checked, InvalidParameterError, quantity
@@ -243,7 +244,8 @@ class Case(Checked):
             Whether measured profiles are written out, or only named by their digest.
         """
         irregularity = irregularity_to_dict(self.irregularity, samples=samples)
-        return {**self._of_operator(), "irregularity": irregularity, "vehicle": dict(vars(self.vehicle))}
+        operator = _operator(self.speed, self.slab, self.track, self.numerics)
+        return {**operator, "irregularity": irregularity, "vehicle": dict(vars(self.vehicle))}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any], profiles: Profiles | None = None) -> "Case":
@@ -267,28 +269,31 @@ class Case(Checked):
 
     def operator_key(self) -> str:
         """SHA-256 of what cases must share to be solved side by side: track, speed, slab, numerics, axle positions."""
-        axles = [self.vehicle.half_bogie_distance, self.vehicle.half_wheelbase]
-        return _sha256(self._without_joints({**self._of_operator(), "axles": axles}))
+        axles = self.vehicle.half_bogie_distance, self.vehicle.half_wheelbase
+        return _operator_key(self.speed, self.slab, self.track, self.numerics, axles)
 
     def digest(self) -> str:
         """SHA-256, as 64 hexadecimal digits, of the canonical JSON: equal for equal physics, on any machine."""
-        return _sha256(self._without_joints(self.to_dict(samples=False)))
+        return _sha256(_without_joints(self.to_dict(samples=False)))
 
-    def _of_operator(self) -> dict[str, Any]:
-        # Not dataclasses.asdict: it copies every number deeply, and studies have thousands of cases.
-        return {
-            "speed": self.speed,
-            "slab": self.slab,
-            "track": vars(self.track) | {"joint": dict(vars(self.track.joint))},
-            "numerics": dict(vars(self.numerics)),
-        }
 
-    def _without_joints(self, data: dict[str, Any]) -> dict[str, Any]:
-        """Leave out what a continuous slab does not have."""
-        if self.slab == "continuous":
-            for part, unused in (("track", "joint"), ("numerics", "joint_blending")):
-                data[part] = {name: value for name, value in data[part].items() if name != unused}
-        return data
+def _operator(speed: float, slab: Slab, track: Track, numerics: Numerics) -> dict[str, Any]:
+    # Not dataclasses.asdict: it copies every number deeply, and studies have thousands of cases.
+    joint = {"joint": dict(vars(track.joint))}
+    return {"speed": speed, "slab": slab, "track": vars(track) | joint, "numerics": dict(vars(numerics))}
+
+
+@lru_cache(maxsize=1024)
+def _operator_key(speed: float, slab: Slab, track: Track, numerics: Numerics, axles: tuple[float, float]) -> str:
+    return _sha256(_without_joints({**_operator(speed, slab, track, numerics), "axles": axles}))
+
+
+def _without_joints(data: dict[str, Any]) -> dict[str, Any]:
+    """Leave out what a continuous slab does not have."""
+    if data["slab"] == "continuous":
+        for part, unused in (("track", "joint"), ("numerics", "joint_blending")):
+            data[part] = {name: value for name, value in data[part].items() if name != unused}
+    return data
 
 
 def _sha256(data: dict[str, Any]) -> str:

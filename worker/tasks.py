@@ -17,7 +17,7 @@ from worker.unable import UnableWorker
 if TYPE_CHECKING:
     from worker.compute import Worker
 
-POLITENESS = 5  # where a machine is shared, requests are answered first, though workers are not starved
+POLITENESS = 10  # where a machine is shared, requests are answered first, though workers are not starved
 
 stopping = threading.Event()
 

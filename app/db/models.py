@@ -129,7 +129,8 @@ CONDITIONS = (
 )
 for _name in CONDITIONS:
     Index(None, getattr(Case, _name), Case.id)
-Index("ix_case_queue", Case.state, Case.priority.desc(), Case.turn, Case.id)
+# The last two are what is asked of all that wait.
+Index("ix_case_queue", Case.state, Case.priority.desc(), Case.turn, Case.id, Case.operator_key, Case.work)
 Index("ix_case_charged", Case.charged_to, Case.finished_at)
 Index("ix_case_operator", Case.operator_key, Case.state, Case.priority, Case.id)
 

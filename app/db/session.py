@@ -1,5 +1,7 @@
 """Transactions: one per request or task, to read or to write."""
 
+import sqlite3
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from threading import Lock
@@ -69,13 +71,13 @@ def _create_sqlite_engine(url: str, *, foreign_keys: bool) -> Engine:
     """
     # More connections than there are threads to serve requests: none waits for another to come back.
     engine = create_engine(url, pool_size=5, max_overflow=50)
-    pragmas = f"busy_timeout = {BUSY_TIMEOUT_MS}", "journal_mode = WAL", f"foreign_keys = {foreign_keys:d}"
 
     @event.listens_for(engine, "connect")
     def configure(connection: Any, record: object) -> None:
         connection.isolation_level = None
-        for pragma in pragmas:
-            connection.execute(f"PRAGMA {pragma}")
+        connection.execute(f"PRAGMA busy_timeout = {BUSY_TIMEOUT_MS}")
+        connection.execute(f"PRAGMA foreign_keys = {foreign_keys:d}")
+        _write_ahead(connection)
 
     @event.listens_for(engine, "begin")
     def begin(connection: Connection) -> None:
@@ -83,6 +85,20 @@ def _create_sqlite_engine(url: str, *, foreign_keys: bool) -> Engine:
         connection.exec_driver_sql("BEGIN" if read_only else "BEGIN IMMEDIATE")
 
     return engine
+
+
+def _write_ahead(connection: sqlite3.Connection) -> None:
+    """Of several who open a new database at once one changes its journal; the others are refused, not made to wait."""
+    deadline = time.monotonic() + BUSY_TIMEOUT_MS / 1000
+    while True:
+        try:
+            connection.execute("PRAGMA journal_mode = WAL")
+        except sqlite3.OperationalError as error:
+            if error.sqlite_errorcode != sqlite3.SQLITE_BUSY or time.monotonic() > deadline:
+                raise
+            time.sleep(0.01)
+        else:
+            return
 
 
 def _create_postgresql_engine(url: str) -> Engine:

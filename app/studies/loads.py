@@ -5,7 +5,19 @@ The statements are put together once: that takes longer than the database takes 
 
 from typing import Any, NamedTuple
 
-from sqlalchemy import ColumnElement, Select, and_, bindparam, case, func, or_, select
+from sqlalchemy import (
+    ColumnElement,
+    CompoundSelect,
+    Executable,
+    Select,
+    and_,
+    bindparam,
+    case,
+    func,
+    or_,
+    select,
+    union_all,
+)
 from sqlalchemy.orm import Session
 
 from app.cases.queue import UNFINISHED
@@ -38,28 +50,37 @@ def before_turn(session: Session, priority: int, turn: int) -> list[Load]:
     return _loads(session, _BEFORE, priority=priority, turn=turn)
 
 
-def _loads(session: Session, statement: Select[Any], **values: Any) -> list[Load]:
+def _loads(session: Session, statement: Executable, **values: Any) -> list[Load]:
     return [Load(*row) for row in session.execute(statement, values)]
-
-
-def _unfinished() -> Any:
-    rest = case((Case.state == "running", 1 - Case.progress), else_=1.0)
-    work = func.coalesce(Case.work, TYPICAL_WORK)
-    columns = Case.operator_key, func.sum(rest).label("cases"), func.sum(rest * work).label("work")
-    return select(*columns).where(Case.state.in_(UNFINISHED)).group_by(Case.operator_key)
-
-
-def _comes_before(priority: Any, turn: Any) -> ColumnElement[bool]:
-    """Whether a case is claimed before those of a turn."""
-    sooner = or_(Case.priority > priority, and_(Case.priority == priority, Case.turn < turn))
-    return or_(Case.state == "running", and_(Case.state == "queued", sooner))
 
 
 _STUDY_ID: Any = bindparam("study_id")
 _PRIORITY: Any = bindparam("priority")
 _TURN: Any = bindparam("turn")
 _OWN = select(StudyCase.case_id).where(StudyCase.study_id == _STUDY_ID)
-_LEFT = _unfinished().join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == _STUDY_ID)
-_BEFORE = _unfinished().where(_comes_before(_PRIORITY, _TURN))
-_AHEAD = _BEFORE.where(Case.id.not_in(_OWN))
+_WORK = func.coalesce(Case.work, TYPICAL_WORK)
+
+
+def _sums(cases: Any, work: Any, *of: ColumnElement[bool]) -> Any:
+    return select(Case.operator_key, cases, work).where(*of).group_by(Case.operator_key)
+
+
+def _before(*of: ColumnElement[bool]) -> CompoundSelect[Any]:
+    """What is claimed before those of a turn. Of queued cases an index knows all that is asked."""
+    rest = 1 - Case.progress
+    sooner = or_(Case.priority > _PRIORITY, and_(Case.priority == _PRIORITY, Case.turn < _TURN))
+    running = _sums(func.sum(rest), func.sum(rest * _WORK), Case.state == "running", *of)
+    queued = _sums(func.count(), func.sum(_WORK), Case.state == "queued", sooner, *of)
+    return union_all(running, queued)
+
+
+def _left() -> Select[Any]:
+    rest = case((Case.state == "running", 1 - Case.progress), else_=1.0)
+    own = StudyCase.study_id == _STUDY_ID, Case.state.in_(UNFINISHED)
+    return _sums(func.sum(rest), func.sum(rest * _WORK), *own).join(StudyCase, StudyCase.case_id == Case.id)
+
+
+_LEFT = _left()
+_BEFORE = _before()
+_AHEAD = _before(Case.id.not_in(_OWN))
 _LAST_TURN = select(func.max(Case.turn)).where(Case.id.in_(_OWN), Case.state == "queued", Case.priority == _PRIORITY)
