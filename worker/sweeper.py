@@ -139,6 +139,8 @@ class Sweeper:
                 logs.unavailable("database", error)
             except STORE_ERRORS as error:
                 logs.unavailable("history store", error)
+            except Exception:  # whatever is wrong, the next sweep may do some good
+                log.exception("sweep failed")
             if self._over.wait(self._pause_s):
                 return
 

@@ -9,17 +9,17 @@ from typing import Any, TypeVar
 import pytest
 from celery import Celery
 from kombu import disable_insecure_serializers, enable_insecure_serializers
-from sqlalchemy import func, select
+from sqlalchemy import delete, func, select
 
 from app.context import Context
-from app.db.models import Case, Event, Peak
+from app.db.models import Case, Event, Peak, StudyCase
 from app.db.session import Database
 from app.queue import QUEUE, WORK, Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail
-from worker import presence
+from worker import presence, verification
 
 SECONDS_LONG = {
     "track_length_m": 90.0,
@@ -48,6 +48,21 @@ def context(tmp_path: Path, database_url: str, database: Database, broker_url: s
     return Context(settings, database, Doorbell(settings), HistoryStore(settings.resolved_storage_url))
 
 
+def peaks_of(context: Context, speed_kmh: float) -> list[dict[str, Any]]:
+    """The stored peaks of the case with an amplitude of 0.1 mm."""
+    chosen = select(Peak).join(Case).where(Case.speed_kmh == speed_kmh, Case.amplitude_mm == 0.1)
+    with context.database.read() as session:
+        return [vars(peak) for peak in session.scalars(chosen)]
+
+
+def forget(context: Context, speed_kmh: float) -> None:
+    """Let the cases of a speed be new ones."""
+    of_speed = select(Case.id).where(Case.speed_kmh == speed_kmh)
+    with context.database.write() as session:
+        session.execute(delete(StudyCase).where(StudyCase.case_id.in_(of_speed)))
+        session.execute(delete(Case).where(Case.speed_kmh == speed_kmh))
+
+
 def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail], processes: Any) -> None:
     def running(attempt: int = 1) -> Case | None:
         with context.database.read() as session:
@@ -59,6 +74,7 @@ def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail
     until(lambda: there(context) == 2)
     study = submit(200, 210, 220, 230)
     until(lambda: state(context, study) == "succeeded")
+    alone = peaks_of(context, 200)
 
     # A worker is killed: when its lease has run out another one takes the case.
     slow = submit(300, numerics=SECONDS_LONG)
@@ -76,13 +92,16 @@ def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail
         put_back = session.get_one(Case, case.id)
         assert (put_back.state, put_back.attempt) == ("queued", 1)
 
-    # A new one finds it without anybody ringing.
+    # A new one finds it without anybody ringing. What another computed alone it computes beside others: the same.
+    forget(context, 200)
     processes.start()
-    until(lambda: state(context, slow) == "succeeded")
+    beside = submit(200, amplitudes=[0.1, 0.2, 0.3, 0.4, 0.5])
+    until(lambda: state(context, slow) == state(context, beside) == "succeeded")
+    assert max(verification.differences(alone, peaks_of(context, 200)).values()) <= 1e-9
     with context.database.read() as session:
         per_case = select(func.count(Peak.id)).group_by(Peak.case_id)
         assert len(set(session.scalars(per_case))) == 1
-        assert session.scalar(select(func.count()).where(Event.kind == "done")) == 2
+        assert session.scalar(select(func.count()).where(Event.kind == "done")) == 3
 
 
 @pytest.mark.parametrize("database_url", ["sqlite"], indirect=True)
