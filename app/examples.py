@@ -30,6 +30,15 @@ BODIES: dict[str, Any] = {
     "estimate_study": {"name": "The article's speeds", "sweep": "speed-sweep"},
     "update_study": {"name": "Speed sweep, stiffer pads", "labels": {"line": None}, "priority": 1},
     "create_profile": PROFILE,
+    "preview_irregularity": {
+        "irregularity": {
+            "kind": "spectrum",
+            "spectrum": "tb3352-ballastless",
+            "percentile": 63.2,
+            "wavelength_band_m": {"min": 2, "max": 30},
+        },
+        "length_m": 600,
+    },
 }
 _PEAKS = {
     "study_id": PATHS["study_id"],
@@ -52,6 +61,12 @@ PARAMETERS: dict[str, dict[str, Any]] = {
     "watch_study": {"Last-Event-ID": 0},
     "list_cases": {"state": "succeeded", "sort": "-speed_kmh", "page_size": 50},
     "get_history": {"quantity": ["wheel_rail_force"], "time_min_s": 0.1, "time_max_s": 0.2, "max_points": 500},
+    "get_spectrum": {
+        "quantity": "wheel_rail_force",
+        "position": "wheelset_1",
+        "resolution_hz": 2,
+        "frequency_max_hz": 500,
+    },
     "list_peaks": _PEAKS | {"page_size": 50, "parameter": ["track.pad_stiffness_n_per_m"]},
     "export_peaks_csv": _PEAKS,
     "export_peaks_parquet": _PEAKS,

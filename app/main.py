@@ -24,6 +24,7 @@ from app.db.session import Database
 from app.histories.routes import router as histories
 from app.pages import add_pages
 from app.peaks.routes import router as peaks
+from app.previews.routes import router as previews
 from app.profiles.routes import router as profiles
 from app.queue import Doorbell
 from app.requests import HeadMiddleware, RequestIdMiddleware
@@ -111,6 +112,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         catalogue,
         verifications,
         profiles,
+        previews,
     ):
         app.include_router(router, dependencies=[Depends(identify)])
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way

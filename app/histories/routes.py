@@ -11,7 +11,7 @@ from app.conditional import NOT_CHANGED, not_changed
 from app.context import ContextDep
 from app.download import PARQUET, RANGES, binary, download
 from app.histories import service
-from app.histories.schemas import HistoryQuery, HistoryView
+from app.histories.schemas import HistoryQuery, HistoryView, SpectrumQuery, SpectrumView
 
 NPZ = "application/octet-stream"
 
@@ -37,6 +37,22 @@ def get_history(
     if (answer := not_changed(request, etag)) is not None:
         return answer
     content = service.view(context, stored, query).model_dump_json()
+    return Response(content, media_type="application/json", headers={"ETag": etag, "Cache-Control": "no-cache"})
+
+
+@router.get("/spectrum", response_model=SpectrumView, responses=NOT_CHANGED)
+def get_spectrum(
+    case_id: CaseId, query: Annotated[SpectrumQuery, Query()], context: ContextDep, request: Request
+) -> Response:
+    """Get the spectrum of one channel of a stored history, with the frequencies of passing pads and of the wheel on
+    the track.
+    """
+    with context.database.read() as session:
+        stored = service.find(session, case_id)
+    etag = stored.etag("spectrum", query.model_dump_json())
+    if (answer := not_changed(request, etag)) is not None:
+        return answer
+    content = service.spectrum(context, stored, query).model_dump_json()
     return Response(content, media_type="application/json", headers={"ETag": etag, "Cache-Control": "no-cache"})
 
 

@@ -27,6 +27,23 @@ class HistoryQuery(BaseModel):
     )
 
 
+class SpectrumQuery(BaseModel):
+    """Of which channel, and how finely."""
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+
+    quantity: Word = Field(description="A quantity of the history.")
+    position: Word = Field(description="Where, as in the history.")
+    resolution_hz: float = Field(
+        default=2.0,
+        ge=0.25,
+        le=100,
+        description="Distance between frequencies: the smaller, the fewer segments to take the mean of. Not less than "
+        "the length of the history allows.",
+    )
+    frequency_max_hz: float = Field(default=1000.0, ge=1, le=2500, description="Highest frequency, Hz.")
+
+
 class HistoryChannel(BaseModel):
     """Samples of one quantity at one position, in ``unit``."""
 
@@ -46,3 +63,21 @@ class HistoryView(BaseModel):
     speed_kmh: float
     track_position_start_m: float = Field(description="Where the first wheelset is when the window begins, m.")
     channels: list[HistoryChannel]
+
+
+class SpectrumView(BaseModel):
+    """The one-sided power spectral density of a channel, by Welch's method: Hann windows, overlapping by half."""
+
+    quantity: str
+    position: str
+    unit: str = Field(description="Of the channel.")
+    density_unit: str
+    resolution_hz: float
+    segments: int = Field(description="Of how many the density is the mean.")
+    frequency_hz: list[float]
+    density: list[float]
+    pad_passing_hz: float = Field(description="How often a wheel passes a pad.")
+    p2_hz: float = Field(
+        description="Where the unsprung wheel bounces on the track: the contact force over a small wave is largest, in "
+        "linear theory, on a continuous track at rest."
+    )

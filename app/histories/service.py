@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 from app.cases.schemas import case_file
 from app.context import Context
 from app.db.models import Case, History
-from app.histories.schemas import HistoryQuery, HistoryView
+from app.histories.schemas import HistoryQuery, HistoryView, SpectrumQuery, SpectrumView
 from app.problems import Problem, not_found, unavailable
 from app.storage import STORE_ERRORS
 
@@ -83,6 +83,20 @@ def view(context: Context, stored: Stored, query: HistoryQuery) -> HistoryView:
         track_position_start_m=start_m,
         channels=channels,
     )
+
+
+def spectrum(context: Context, stored: Stored, query: SpectrumQuery) -> SpectrumView:
+    """The spectrum of one channel.
+
+    Raises
+    ------
+    Problem
+        404 if the history has no such channel; 503 if the store does not answer.
+    """
+    from app.histories.spectrum import spectrum  # noqa: PLC0415
+
+    with _opened(context, stored) as archive:
+        return spectrum(archive, stored.case.inputs, query)
 
 
 def write_parquet(context: Context, stored: Stored, file: BinaryIO) -> None:

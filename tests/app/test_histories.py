@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
+from scipy import signal
 
 from app.cases.schemas import CaseFile
 from app.db.session import Database
@@ -186,3 +187,22 @@ def test_head_wherever_there_is_get(client: httpx.Client) -> None:
         response = client.head(path)
         assert (response.status_code, response.content) == (200, b"")
     assert client.head("/v1/nothing").status_code == 404
+
+
+def test_a_spectrum_tells_what_rings(client: httpx.Client, path: str, content: bytes, problem: Check) -> None:
+    url = path.removesuffix("history") + "spectrum"
+    asked = {"quantity": "wheel_rail_force", "position": "wheelset_2"}
+    found = client.get(url, params=asked | {"resolution_hz": 5, "frequency_max_hz": 2000}).json()
+    assert (found["unit"], found["density_unit"], found["segments"]) == ("N", "(N)^2/Hz", 19)
+    assert found["frequency_hz"] == pytest.approx([5.0 * n for n in range(1, 401)])
+    with np.load(io.BytesIO(content)) as npz:
+        _, density = signal.welch(npz["values"][1].astype(float), 1 / STEP_S, nperseg=2000)
+    np.testing.assert_allclose(found["density"], density[1:401])
+    assert found["pad_passing_hz"] == pytest.approx(250 / 3.6 / 0.65, rel=0.05)
+    assert 20 < found["p2_hz"] < 160
+    first = client.get(url, params=asked)
+    again = client.get(url, params=asked, headers={"If-None-Match": first.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+    problem(client.get(url, params=asked | {"position": "nowhere"}), 404, "no-such-channel")
+    problem(client.get(url), 422, "invalid")
+    problem(client.get("/v1/cases/99/spectrum", params=asked), 404, "not-found")

@@ -34,9 +34,12 @@ from .field_source_mark import FieldSourceMark
 from .finish_estimate import FinishEstimate
 from .harmonic_sweep import HarmonicSweep
 from .harmonic_wave import HarmonicWave
+from .height_density import HeightDensity
+from .heights import Heights
 from .history_channel import HistoryChannel
 from .history_view import HistoryView
 from .interval import Interval
+from .irregularity_preview import IrregularityPreview
 from .joint_overrides import JointOverrides
 from .limits import Limits
 from .list_cases_sort import ListCasesSort
@@ -64,6 +67,7 @@ from .power_law_spectrum_sides import PowerLawSpectrumSides
 from .preset_info import PresetInfo
 from .preset_info_study import PresetInfoStudy
 from .preset_list import PresetList
+from .preview_request import PreviewRequest
 from .problem_details import ProblemDetails
 from .product_sweep import ProductSweep
 from .product_sweep_slab_item import ProductSweepSlabItem
@@ -90,6 +94,7 @@ from .spectrum_sample import SpectrumSample
 from .spectrum_sample_spectrum_type_0 import SpectrumSampleSpectrumType0
 from .spectrum_sweep import SpectrumSweep
 from .spectrum_sweep_spectrum_type_0 import SpectrumSweepSpectrumType0
+from .spectrum_view import SpectrumView
 from .speed_range import SpeedRange
 from .statistics import Statistics
 from .stored_history import StoredHistory
@@ -167,9 +172,12 @@ __all__ = (
     "FinishEstimate",
     "HarmonicSweep",
     "HarmonicWave",
+    "HeightDensity",
+    "Heights",
     "HistoryChannel",
     "HistoryView",
     "Interval",
+    "IrregularityPreview",
     "JointOverrides",
     "Limits",
     "ListCasesSort",
@@ -197,6 +205,7 @@ __all__ = (
     "PresetInfo",
     "PresetInfoStudy",
     "PresetList",
+    "PreviewRequest",
     "ProblemDetails",
     "ProductSweep",
     "ProductSweepSlabItem",
@@ -223,6 +232,7 @@ __all__ = (
     "SpectrumSampleSpectrumType0",
     "SpectrumSweep",
     "SpectrumSweepSpectrumType0",
+    "SpectrumView",
     "SpeedRange",
     "Statistics",
     "StoredHistory",

@@ -1,0 +1,1 @@
+"""What an irregularity looks like, before anything is computed over it."""
