@@ -27,7 +27,7 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test test-slow chaos lint format client generated verify bench bench-programme bench-rolland serve clean
+.PHONY: help install demo test browser test-slow chaos lint format client generated verify bench bench-programme bench-rolland serve clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' Makefile
@@ -37,8 +37,11 @@ install: $(INSTALLED)  ## install the locked dependencies in .venv/
 demo: $(INSTALLED)  ## serve, run a small study over HTTP, print and draw its peaks
 	@$(RUN) examples.demo
 
-test: lint  ## lint, types and every test that is not slow
+test: lint browser  ## lint, types and every test that is not slow
 	@$(RUN) pytest -m "not slow" -n 2 --dist loadfile
+
+browser: $(INSTALLED)
+	@$(RUN) tests.web.browser
 
 test-slow: $(INSTALLED)  ## the proofs that take long
 	@$(RUN) pytest -m slow
@@ -94,7 +97,7 @@ serve: $(INSTALLED)  ## run the whole service on the folder data/
 	@.venv/bin/tracksweep serve
 
 clean:  ## remove what was installed and generated; data/ stays
-	rm -rf .uv .venv .venv-rolland .home demo .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .uv .venv .venv-rolland .browsers .home demo .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(UV)/bin/uv:

@@ -33,6 +33,7 @@ from app.storage import HistoryStore
 from app.studies.routes import estimates
 from app.studies.routes import router as studies
 from app.verifications.routes import router as verifications
+from app.web.routes import add_web
 
 health = APIRouter(include_in_schema=False)
 
@@ -100,6 +101,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)
     add_pages(app)
+    add_web(app)
     app.include_router(health)
     for router in (
         studies,

@@ -27,7 +27,7 @@ ASSETS = "docs-assets"  # relative, so that a proxy may add a path before
 def add_pages(app: FastAPI) -> None:
     """Serve the pages and, each by its name, the files that they need."""
     for asset in Path(str(files("fastapi_offline"))).glob("static/*"):
-        _add(app, f"/{ASSETS}/{asset.name}", partial(FileResponse, asset))
+        add(app, f"/{ASSETS}/{asset.name}", partial(FileResponse, asset))
     icon, title = f"{ASSETS}/favicon.png", app.title
     swagger = get_swagger_ui_html(
         openapi_url="openapi.json",
@@ -45,10 +45,12 @@ def add_pages(app: FastAPI) -> None:
     )
     for path, page in (("/docs", swagger), ("/redoc", redoc)):
         html = bytes(page.body).decode()
-        _add(app, path, partial(HTMLResponse, html, headers={"Content-Security-Policy": _policy(html)}))
+        add(app, path, partial(HTMLResponse, html, headers={"Content-Security-Policy": _policy(html)}))
 
 
-def _add(app: FastAPI, path: str, make: Callable[[], Response]) -> None:
+def add(app: FastAPI, path: str, make: Callable[[], Response]) -> None:
+    """Serve what a function makes, beside the API."""
+
     async def show() -> Response:
         return make()
 

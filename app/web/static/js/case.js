@@ -1,0 +1,2 @@
+// Case
+import "./page.js";

@@ -1,0 +1,2 @@
+// Compare
+import "./page.js";

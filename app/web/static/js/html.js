@@ -1,0 +1,21 @@
+// HTML in template literals: html`<b>${text}</b>` escapes what it is given, unless that was made the same way.
+
+const ESCAPES = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+
+class Html extends String {}
+
+const written = (value) => {
+  if (value === null || value === undefined || value === false) return "";
+  if (Array.isArray(value)) return value.map(written).join("");
+  return value instanceof Html ? String(value) : String(value).replace(/[&<>"']/g, (found) => ESCAPES[found]);
+};
+
+export const html = (strings, ...values) => new Html(String.raw({ raw: strings }, ...values.map(written)));
+
+/** Put made HTML into an element. */
+export const show = (element, made) => {
+  element.innerHTML = written(made);
+};
+
+/** The element of an id. */
+export const $ = (id) => document.getElementById(id);

@@ -1,0 +1,2 @@
+// New study
+import "./page.js";

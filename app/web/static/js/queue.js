@@ -1,0 +1,2 @@
+// Queue
+import "./page.js";

@@ -1,0 +1,2 @@
+// Studies
+import "./page.js";

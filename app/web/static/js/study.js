@@ -1,0 +1,2 @@
+// Study
+import "./page.js";
