@@ -23,6 +23,7 @@ from app.db.models import Study
 from app.db.session import Database
 from app.histories.routes import router as histories
 from app.pages import add_pages
+from app.peaks.routes import of_cases
 from app.peaks.routes import router as peaks
 from app.previews.routes import router as previews
 from app.profiles.routes import router as profiles
@@ -110,6 +111,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         cases,
         histories,
         peaks,
+        of_cases,
         analysis,
         catalogue,
         verifications,

@@ -29,7 +29,7 @@ SOURCES = {
 }
 
 # Fields of answers that a service of the minor version before does not send: not required, for the client's sake.
-NEW = {"CaseDetail": {"processing"}, "PeakRow": {"parameters"}}
+NEW = {"CaseDetail": {"processing"}, "PeakRow": {"parameters"}, "ParameterInfo": {"default"}}
 
 
 def document(app: FastAPI) -> dict[str, Any]:

@@ -140,6 +140,7 @@ class ParameterInfo(BaseModel):
     unit: str
     meaning: str
     integer: bool
+    default: int | float | None = Field(description="Null where track or vehicle have a value of their own.")
     minimum: float | None
     exclusive_minimum: float | None
     maximum: float | None

@@ -158,6 +158,7 @@ def limits(settings: Settings, caller: CallerLimits) -> Limits:
                 unit=each.quantity.unit,
                 meaning=each.quantity.meaning,
                 integer=each.type is int,
+                default=each.default,
                 minimum=each.quantity.ge,
                 exclusive_minimum=each.quantity.gt,
                 maximum=each.quantity.le,

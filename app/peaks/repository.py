@@ -12,6 +12,7 @@ from app.db.models import Case, Peak, Study
 from app.pagination import Order, Tell, fetch, fetch_page
 from app.peaks.plan import COLUMNS, plan
 from app.peaks.schemas import PeakFilters, PeakQuery
+from app.problems import not_found
 from app.studies.sweep.vary import PARAMETERS
 from app.studies.varying import varied_paths
 
@@ -30,6 +31,19 @@ def find_page(
         dict(zip(COLUMNS, row[:begin], strict=True)) | {"parameters": dict(zip(paths, row[begin:end], strict=True))}
         for row in rows
     ], cursor
+
+
+def of_case(session: Session, case_id: int) -> Sequence[Peak]:
+    """All peaks of a case.
+
+    Raises
+    ------
+    Problem
+        404 if there is no such case.
+    """
+    if session.scalar(select(Case.id).where(Case.id == case_id)) is None:
+        raise not_found("case")
+    return session.scalars(select(Peak).where(Peak.case_id == case_id).order_by(Peak.id)).all()
 
 
 def find_some(

@@ -8,15 +8,17 @@ from fastapi import APIRouter, Query, Response
 from fastapi.responses import StreamingResponse
 
 from app.access.caller import CallerDep
+from app.access.visibility import CaseId
 from app.context import ContextDep
 from app.download import PARQUET, binary
 from app.peaks import repository
 from app.peaks.export import as_csv, export
-from app.peaks.schemas import PeakFilters, PeakPage, PeakQuery, PeakRow
+from app.peaks.schemas import CasePeak, CasePeakList, PeakFilters, PeakPage, PeakQuery, PeakRow
 
 CSV = "text/csv"
 
 router = APIRouter(prefix="/v1/peaks", tags=["peaks"])
+of_cases = APIRouter(prefix="/v1/cases/{case_id}/peaks", tags=["peaks"])
 
 
 @router.get("")
@@ -25,6 +27,14 @@ def list_peaks(query: Annotated[PeakQuery, Query()], context: ContextDep, caller
     with context.database.read() as session:
         rows, cursor = repository.find_page(session, query, context.settings.max_page_size, caller)
     return PeakPage(items=[PeakRow.model_validate(row) for row in rows], next_cursor=cursor)
+
+
+@of_cases.get("")
+def list_case_peaks(case_id: CaseId, context: ContextDep) -> CasePeakList:
+    """List the peaks of one case. There are none before it has succeeded."""
+    with context.database.read() as session:
+        peaks = repository.of_case(session, case_id)
+    return CasePeakList(items=[CasePeak.model_validate(peak) for peak in peaks])
 
 
 @router.get(".csv", response_class=Response, responses=binary(CSV))

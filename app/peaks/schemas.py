@@ -9,11 +9,9 @@ from app.pagination import PageQuery
 from app.studies.sweep.vary import PARAMETERS
 
 
-class PeakRow(Conditions):
-    """Peak and statistics of one quantity at one position over the steady window of one case, in ``unit``."""
+class PeakValues(BaseModel):
+    """Peak and statistics of one quantity at one position over the steady window of a case, in ``unit``."""
 
-    case_id: int
-    solver_version: str
     quantity: str
     position: str
     unit: str
@@ -25,6 +23,30 @@ class PeakRow(Conditions):
     rms: float
     time_s: float = Field(description="When the peak occurs, s since the window began.")
     track_position_m: float = Field(description="Where the first wheelset is at that time, m.")
+
+
+class CasePeak(PeakValues):
+    """A peak of one case."""
+
+    model_config = ConfigDict(from_attributes=True)
+
+
+class CasePeakList(BaseModel):
+    """The peaks of one case."""
+
+    items: list[CasePeak]
+
+
+class OfCase(Conditions):
+    """Of which case something is, and what distinguishes that."""
+
+    case_id: int
+    solver_version: str
+
+
+class PeakRow(PeakValues, OfCase):
+    """Peak and statistics of one quantity at one position over the steady window of one case, in ``unit``."""
+
     parameters: dict[str, int | float | None] = Field(
         description="Parameters of the case by their paths, which end in their units: those asked for or, if none is "
         "and a study is named, those that it varies. Null where a case is older than the parameter."

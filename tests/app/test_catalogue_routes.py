@@ -86,7 +86,7 @@ def test_limits_are_those_that_are_kept(lenient_client: httpx.Client, study: dic
     assert limits["max_cases_per_study"] == 1000
     parameters = {each.pop("path"): each for each in limits["parameters"]}
     bounds = {"minimum": 0, "exclusive_minimum": None, "maximum": 1e9, "exclusive_maximum": None}
-    shear = {"unit": "N s/m", "meaning": "damping of a jump between slabs", "integer": False}
+    shear = {"unit": "N s/m", "meaning": "damping of a jump between slabs", "integer": False, "default": 8e4}
     assert parameters["track.joint.shear_damping_ns_per_m"] == shear | bounds
     for path, each in parameters.items():
         if each["maximum"] is not None:

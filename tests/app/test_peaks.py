@@ -23,6 +23,7 @@ from app.studies.varying import varied_paths
 from worker import lease
 from worker.claim import claim
 
+Check = Callable[..., dict[str, Any]]
 STATISTICS = ["peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "track_position_m"]
 
 
@@ -57,6 +58,14 @@ def test_peaks_come_with_their_conditions(peaks: list[dict[str, Any]]) -> None:
         *[("harmonic", None, amplitude) for amplitude in (0.1, 0.3)],
         *[("spectrum", percentile, None) for percentile in (25, 90)],
     }
+
+
+def test_the_peaks_of_one_case(client: httpx.Client, peaks: list[dict[str, Any]], problem: Check) -> None:
+    names = [*client.get("/v1/cases/3/peaks").json()["items"][0]]
+    assert names == [name for name in COLUMNS if name in names] == [*COLUMNS[COLUMNS.index("quantity") :]]
+    expected = [{name: each[name] for name in names} for each in peaks if each["case_id"] == 3]
+    assert client.get("/v1/cases/3/peaks").json()["items"] == expected
+    problem(client.get("/v1/cases/99/peaks"), 404, "not-found")
 
 
 def test_any_column_sorts_in_both_directions(client: httpx.Client, peaks: list[dict[str, Any]]) -> None:

@@ -1,7 +1,7 @@
 """Parameters of track, vehicle and numerics that a sweep may vary, each by its dotted path at the boundary."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias, get_type_hints
 
@@ -27,12 +27,15 @@ class Parameter:
         int or float.
     quantity : Quantity
         Unit, bounds and meaning.
+    default : int or float, optional
+        Its value where neither study nor catalogue give one.
     """
 
     path: str
     inside: tuple[str, ...]
     type: type
     quantity: Quantity
+    default: float | None
 
 
 def _parameters(cls: type, *inside: str) -> Iterator[Parameter]:
@@ -43,7 +46,9 @@ def _parameters(cls: type, *inside: str) -> Iterator[Parameter]:
             yield from _parameters(hint, *here)
         elif field.name in known:
             outside, quantity = known[field.name]
-            yield Parameter(path=".".join([*inside, outside]), inside=here, type=hint, quantity=quantity)
+            default = None if field.default is MISSING else field.default
+            path = ".".join([*inside, outside])
+            yield Parameter(path=path, inside=here, type=hint, quantity=quantity, default=default)
 
 
 PARAMETERS = {

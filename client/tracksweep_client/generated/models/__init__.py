@@ -10,6 +10,8 @@ from .case_detail_processing_type_0 import CaseDetailProcessingType0
 from .case_detail_state import CaseDetailState
 from .case_error import CaseError
 from .case_page import CasePage
+from .case_peak import CasePeak
+from .case_peak_list import CasePeakList
 from .case_summary import CaseSummary
 from .case_summary_state import CaseSummaryState
 from .catalogue_value import CatalogueValue
@@ -148,6 +150,8 @@ __all__ = (
     "CaseDetailState",
     "CaseError",
     "CasePage",
+    "CasePeak",
+    "CasePeakList",
     "CaseSummary",
     "CaseSummaryState",
     "CatalogueValue",

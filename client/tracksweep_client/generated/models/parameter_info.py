@@ -6,6 +6,8 @@ from typing import Any, TypeVar, cast
 from attrs import define as _attrs_define
 from attrs import field as _attrs_field
 
+from ..types import UNSET, Unset
+
 T = TypeVar("T", bound="ParameterInfo")
 
 
@@ -22,6 +24,7 @@ class ParameterInfo:
         exclusive_minimum (float | None):
         maximum (float | None):
         exclusive_maximum (float | None):
+        default (float | int | None | Unset): Null where track or vehicle have a value of their own.
     """
 
     path: str
@@ -32,6 +35,7 @@ class ParameterInfo:
     exclusive_minimum: float | None
     maximum: float | None
     exclusive_maximum: float | None
+    default: float | int | None | Unset = UNSET
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -55,6 +59,12 @@ class ParameterInfo:
         exclusive_maximum: float | None
         exclusive_maximum = self.exclusive_maximum
 
+        default: float | int | None | Unset
+        if isinstance(self.default, Unset):
+            default = UNSET
+        else:
+            default = self.default
+
         field_dict: dict[str, Any] = {}
         field_dict.update(self.additional_properties)
         field_dict.update(
@@ -69,6 +79,8 @@ class ParameterInfo:
                 "exclusive_maximum": exclusive_maximum,
             }
         )
+        if default is not UNSET:
+            field_dict["default"] = default
 
         return field_dict
 
@@ -111,6 +123,15 @@ class ParameterInfo:
 
         exclusive_maximum = _parse_exclusive_maximum(d.pop("exclusive_maximum"))
 
+        def _parse_default(data: object) -> float | int | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            return cast(float | int | None | Unset, data)
+
+        default = _parse_default(d.pop("default", UNSET))
+
         parameter_info = cls(
             path=path,
             unit=unit,
@@ -120,6 +141,7 @@ class ParameterInfo:
             exclusive_minimum=exclusive_minimum,
             maximum=maximum,
             exclusive_maximum=exclusive_maximum,
+            default=default,
         )
 
         parameter_info.additional_properties = d
