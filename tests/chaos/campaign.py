@@ -19,7 +19,6 @@ from tests.chaos.record import Record
 from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, until
 
 CLIENTS, WORKERS = 3, 2
-PAUSE_S = 1.2  # between two faults, on average
 PATIENCE_S = 120.0  # until a worker is there again
 HIT_S = 60.0  # until there is something for a fault to hit
 VERIFIED = 10  # cases computed once more at the end
@@ -31,6 +30,7 @@ def run(
     database: str,
     faults: int,
     seed: int,
+    pause: float,
     control: str = "",
     calm_s: float = CALM_S,
     environment: Mapping[str, str] = MappingProxyType({}),
@@ -56,7 +56,7 @@ def run(
         for client in clients:
             client.start()
         try:
-            inject(made, faults, seed)
+            inject(made, faults, seed, pause)
         finally:
             record.write("calm")
             stopping.set()
@@ -71,7 +71,7 @@ def run(
     record.close()
 
 
-def inject(made: System, count: int, seed: int) -> None:
+def inject(made: System, count: int, seed: int, pause: float) -> None:
     """Let faults happen at random instants, also at the same time, but of each kind one at a time."""
     rng = Random(seed)
     alone = {fault: Lock() for fault in FAULTS}
@@ -79,7 +79,7 @@ def inject(made: System, count: int, seed: int) -> None:
         while count:
             happening = []
             for fault in deck(made, count, rng):
-                time.sleep(rng.expovariate(1 / PAUSE_S))
+                time.sleep(rng.expovariate(1 / pause))
                 until(made.workers, PATIENCE_S)  # or nothing is done that could be broken
                 happening.append(pool.submit(happen, made, fault, Random(rng.random()), alone[fault]))
             count -= sum(future.result() for future in happening)
