@@ -5,7 +5,8 @@ import { digits, given } from "./format.js";
 const HUES = 7;
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 const FONT = '12px system-ui, "Segoe UI", Roboto, sans-serif';
-const FAR = 3; // limits that far above all values would leave these no room
+const HEIGHT = 240;
+const FAR = 1.5; // a limit that far above all values would leave these no room
 
 /** A colour of the page's style sheet as the theme has it now, such as "--ink". */
 export const colour = (name) => {
@@ -26,7 +27,7 @@ const faded = (rgb, alpha) => rgb.replace("rgb(", "rgba(").replace(")", `, ${alp
  * A chart in an element of fixed height.
  *
  * spec: {
- *   label: what it shows, for who cannot see it; height: px;
+ *   label: what it shows, for who cannot see it; height: px, a legend comes below it; legend: false;
  *   x: {label, values: numbers, ticks: words for 0, 1, … instead of numbers, log: true};
  *   y: {label, log: true};
  *   series: [{label, values, hue: n, dash: n, points: false, low: values, high: values}], the latter two a band;
@@ -38,7 +39,7 @@ export class Chart {
   constructor(element, spec) {
     this.element = element;
     element.classList.add("chart");
-    element.style.minHeight = `${spec.height ?? 260}px`;
+    element.style.minHeight = `${(spec.height ?? HEIGHT) + (spec.legend === false ? 0 : 24)}px`;
     element.setAttribute("role", "group");
     this.redraw = () => this.show(this.spec);
     document.addEventListener("colours", this.redraw);
@@ -52,7 +53,7 @@ export class Chart {
   }
 
   get height() {
-    return (this.spec.height ?? 260) - 34; // of which the legend has one line
+    return this.spec.height ?? HEIGHT;
   }
 
   /** Draw another thing in the same place. */
@@ -120,7 +121,7 @@ export class Chart {
         setSelect: zoomed ? [(plot) => plot.select.width && zoomed(plot.posToVal(plot.select.left, "x"), plot.posToVal(plot.select.left + plot.select.width, "x"))] : [],
         setSeries: [(plot, n, { show }) => show !== undefined && plot.series[n + 1]?.class === "bound" && [1, 2].forEach((k) => plot.setSeries(n + k, { show }))],
       },
-      legend: { markers: { width: 2 } },
+      legend: { show: this.spec.legend !== false, markers: { width: 2 } },
     };
   }
 
@@ -130,7 +131,7 @@ export class Chart {
     const near = (this.spec.limits ?? []).map((limit) => limit.value).filter((value) => value < FAR * high);
     const [bottom, top] = [Math.min(low, ...near), Math.max(high, ...near)];
     const span = top - bottom || Math.abs(top) || 1;
-    const floor = bottom >= 0 && bottom < 0.7 * top ? 0 : bottom - 0.08 * span;
+    const floor = bottom >= 0 && bottom < 0.5 * top ? 0 : bottom - 0.08 * span;
     return [floor, top + 0.08 * span];
   }
 

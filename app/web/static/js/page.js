@@ -3,6 +3,7 @@
 import { Problem, problemOf, send } from "./api.js";
 import { $, html, show } from "./html.js";
 import { tellOfKey } from "./key.js";
+import { save } from "./save.js";
 
 const NOTICE_S = 12;
 
@@ -76,16 +77,30 @@ document.addEventListener("htmx:confirm", (event) => {
   });
 });
 
-document.addEventListener("htmx:after:request", async ({ detail: { ctx } }) => {
+document.addEventListener("htmx:after:request", ({ detail: { ctx } }) => {
   const { render: name, done } = ctx.sourceElement.dataset;
-  const failed = ctx.response.status >= 400;
-  if (failed) notify(await problemOf(new Response(ctx.text, { status: ctx.response.status })));
-  else if (done) notify(done);
-  if (!failed && name) ctx.text = String(renderers[name](JSON.parse(ctx.text)));
-  else ctx.swap = "none";
-  if (!failed && !name) document.dispatchEvent(new Event("changed"));
+  if (ctx.response.status >= 400) {
+    ctx.swap = "none";
+    problemOf(new Response(ctx.text, { status: ctx.response.status })).then(notify);
+  } else if (name) {
+    ctx.text = String(renderers[name](JSON.parse(ctx.text)));
+  } else {
+    ctx.swap = "none";
+    notify(done);
+    document.dispatchEvent(new Event("changed"));
+  }
 });
 
 document.addEventListener("htmx:error", ({ detail: { error } }) => {
   if (error?.name === "TypeError") notify(new Error("The service cannot be reached. It is asked again."), "error");
+});
+
+// Files, which a link can fetch only where no key is needed.
+document.addEventListener("click", async (event) => {
+  const link = event.target.closest("a[download]");
+  if (!link || !sessionStorage.getItem("key") || link.protocol === "blob:") return;
+  event.preventDefault();
+  const response = await send(link.href);
+  if (response.ok) save(await response.blob(), link.download);
+  else notify(await problemOf(response));
 });

@@ -58,6 +58,7 @@ export const showRequests = (element, requests) => {
     <h3>${asked.operation.split(".")[1]}</h3>
     ${code("curl", asCurl(asked))}${code("Python", asPython(asked))}</div>`)}`);
   element.open = open;
+  element.hidden = false;
 };
 
 const code = (name, text) => html`<figure><figcaption>${name} <button type="button" data-copy>Copy</button></figcaption><pre tabindex="0">${text}</pre></figure>`;
