@@ -35,6 +35,7 @@ from app.studies.routes import estimates
 from app.studies.routes import router as studies
 from app.verifications.routes import router as verifications
 from app.web.routes import add_web
+from app.workload.routes import router as workload
 
 health = APIRouter(include_in_schema=False)
 
@@ -117,6 +118,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         verifications,
         profiles,
         previews,
+        workload,
     ):
         app.include_router(router, dependencies=[Depends(identify)])
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way

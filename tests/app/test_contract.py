@@ -34,6 +34,7 @@ OPERATIONS = {
     "list_vehicles": ("get", "/v1/vehicles"),
     "list_presets": ("get", "/v1/presets"),
     "get_limits": ("get", "/v1/limits"),
+    "get_queue": ("get", "/v1/queue"),
     "create_profile": ("post", "/v1/profiles"),
     "list_profiles": ("get", "/v1/profiles"),
     "get_profile": ("get", "/v1/profiles/{profile_id}"),

@@ -144,6 +144,7 @@ export class Chart {
     ctx.clip();
     ctx.strokeStyle = ctx.fillStyle = colour("--warn");
     ctx.lineWidth = devicePixelRatio;
+    ctx.textBaseline = "alphabetic";
     ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
     ctx.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
     const line = (x0, y0, x1, y1) => {

@@ -34,12 +34,12 @@ export const showDifferences = async (path, panel) => {
   const scaled = (row, key) => shownUnit(row.unit).factor * row[key];
   averages.show([
     column("quantity", "quantity", (row) => title[row.quantity] ?? row.quantity),
-    column("position", "position", (row) => words(row.position)),
     ...(values.length > 2 ? [column("at", heading(axis), (row) => row.at, (row) => given(row.at), typeof values[0] === "number")] : []),
     column("relative", "relative", (row) => row.relative, (row) => relative(row.relative), true, "%"),
     column("absolute", "absolute", (row) => scaled(row, "absolute"), (row) => digits(scaled(row, "absolute")), true),
     column("std", "± std", (row) => row.absolute_std, (row) => (row.absolute_std === null ? "–" : digits(scaled(row, "absolute_std"), 3)), true),
     column("unit", "unit", (row) => shownUnit(row.unit).name),
+    column("position", "position", (row) => words(row.position)),
     column("groups", "pairs", (row) => row.groups, (row) => row.groups, true),
   ], found.averages);
   const own = found.groups.filter((group) => group.quantity === quantity && group.position === position);

@@ -69,7 +69,7 @@ const table = async () => {
     ...fields.filter((name) => varies((row) => row[name])).map((name) => condition(name, (row) => row[name])),
     ...Object.keys(items[0].parameters).map((name) => condition(name, (row) => row.parameters[name])),
     ...STATISTICS.map((name) => ({ key: name, label: name, unit, number: true, value: (row) => row[name], text: (row) => digits(factor * row[name]) })),
-    { key: "time_s", label: "at", unit: "s", number: true, value: (row) => row.time_s, text: (row) => digits(row.time_s, 4) },
+    { key: "time_s", label: "time", unit: "s", number: true, value: (row) => row.time_s, text: (row) => digits(row.time_s, 4) },
     { key: "case", label: "case", number: true, value: (row) => row.case_id, text: (row) => html`<a href="${address(`/cases/${row.case_id}`)}">${row.case_id}</a>` },
   ];
   $("table-title").textContent = complete ? `${count(items.length)} cases` : `The first ${count(MOST_ROWS)} cases`;

@@ -82,9 +82,11 @@ from .quantity_info_peak import QuantityInfoPeak
 from .quantity_limit import QuantityLimit
 from .quantity_limit_mark import QuantityLimitMark
 from .quantity_list import QuantityList
+from .queue_info import QueueInfo
 from .rational_spectrum import RationalSpectrum
 from .rational_spectrum_per import RationalSpectrumPer
 from .rational_spectrum_sides import RationalSpectrumSides
+from .running_case import RunningCase
 from .share import Share
 from .share_list import ShareList
 from .single_dip import SingleDip
@@ -122,6 +124,7 @@ from .summary_conditions import SummaryConditions
 from .table_spectrum import TableSpectrum
 from .table_spectrum_per import TableSpectrumPer
 from .table_spectrum_sides import TableSpectrumSides
+from .throughput import Throughput
 from .track_list import TrackList
 from .track_overrides import TrackOverrides
 from .track_overrides_base import TrackOverridesBase
@@ -136,6 +139,7 @@ from .verification_detail_outcome_type_0 import VerificationDetailOutcomeType0
 from .verification_detail_state import VerificationDetailState
 from .wheel_tread import WheelTread
 from .wheel_tread_mark import WheelTreadMark
+from .worker_info import WorkerInfo
 from .zip_sweep import ZipSweep
 from .zip_sweep_slab_item import ZipSweepSlabItem
 
@@ -222,9 +226,11 @@ __all__ = (
     "QuantityLimit",
     "QuantityLimitMark",
     "QuantityList",
+    "QueueInfo",
     "RationalSpectrum",
     "RationalSpectrumPer",
     "RationalSpectrumSides",
+    "RunningCase",
     "Share",
     "ShareList",
     "SingleDip",
@@ -262,6 +268,7 @@ __all__ = (
     "TableSpectrum",
     "TableSpectrumPer",
     "TableSpectrumSides",
+    "Throughput",
     "TrackList",
     "TrackOverrides",
     "TrackOverridesBase",
@@ -276,6 +283,7 @@ __all__ = (
     "VerificationDetailState",
     "WheelTread",
     "WheelTreadMark",
+    "WorkerInfo",
     "ZipSweep",
     "ZipSweepSlabItem",
 )

@@ -1,0 +1,1 @@
+"""What waits, what runs where, and how fast cases are done."""
