@@ -89,9 +89,17 @@ def _stages(settings: Settings, listener: socket.socket) -> list[list[Part]]:
         return False
 
     descriptor = listener.fileno()
-    api = Part(name="api", command=[*PROGRAM, "api", "--fd", str(descriptor)], ready=api_ready, pass_fds=[descriptor])
+    api = [
+        Part(
+            name=f"api-{n + 1}",
+            command=[*PROGRAM, "api", "--fd", str(descriptor)],
+            ready=api_ready,
+            pass_fds=[descriptor],
+        )
+        for n in range(settings.api_processes)
+    ]
     workers = [Part(name=f"worker-{n + 1}", command=[*PROGRAM, "worker"]) for n in range(settings.workers)]
-    return [[] if settings.broker_url else [broker_part(settings)], [api], workers]
+    return [[] if settings.broker_url else [broker_part(settings)], api, workers]
 
 
 def _migrate(log_file: Path) -> None:

@@ -51,6 +51,18 @@ def test_a_part_that_crashes_is_restarted(service: Served, part: str) -> None:
     assert service.ended(service.submit(study(speed)))["state"] == "succeeded"
 
 
+def test_processes_that_answer_stand_in_for_one_another(tmp_path: Path) -> None:
+    with served(tmp_path / "data", "--workers", "0", TRACKSWEEP_API_PROCESSES="2") as service:
+        one, other = service.parts("api")
+        body, key = study(300), {"Idempotency-Key": "one"}
+        created = service.http.post("/v1/studies", json=body, headers=key).json()["id"]
+        for process in (one, other):
+            process.suspend()
+            again = httpx.post(service.http.base_url.join("/v1/studies"), json=body, headers=key, timeout=60)
+            assert again.json()["id"] == created
+            process.resume()
+
+
 def test_a_second_service_on_the_same_folder_is_refused(service: Served) -> None:
     second = tracksweep("serve", "--data", service.data, "--port", 0)
     assert second.returncode == 2
