@@ -29,7 +29,7 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test browser test-slow chaos lint format client generated verify bench bench-programme bench-rolland serve clean
+.PHONY: help install demo test browser test-slow chaos lint format client generated verify bench bench-programme bench-rolland screenshots serve clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' Makefile
@@ -94,6 +94,9 @@ bench-programme: $(INSTALLED)  ## time the article's whole programme, which take
 bench-rolland: $(INSTALLED) .venv-rolland/.installed  ## time beside rolland, which needs Python 3.12 and is installed for it
 	@$(RUN) benchmarks.rolland_peer .venv-rolland/bin/python
 	@$(RUN) benchmarks.report
+
+screenshots: $(INSTALLED) browser  ## look at the page in a browser, and write docs/screenshots
+	@$(RUN) tests.web.screenshots
 
 serve: $(INSTALLED)  ## run the whole service on the folder data/
 	@.venv/bin/tracksweep serve
