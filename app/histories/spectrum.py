@@ -41,7 +41,7 @@ def spectrum(archive: Archive, inputs: dict[str, Any], query: SpectrumQuery) -> 
         quantity=query.quantity,
         position=query.position,
         unit=unit,
-        density_unit=f"({unit})^2/Hz",
+        density_unit=f"{unit}^2/Hz" if unit.isalnum() else f"({unit})^2/Hz",
         resolution_hz=1 / (segment * step_s),
         segments=1 + (len(values) - segment) // max(1, segment // 2),
         frequency_hz=frequency[shown].tolist(),
