@@ -17,21 +17,15 @@ const pause = () => new Promise((resolve) => setTimeout(resolve, AGAIN_MS));
 const fact = (name, value, title) => html`<div><dt>${name}</dt><dd title="${title ?? ""}">${value}</dd></div>`;
 
 const start = async () => {
-  const [quantities, limits] = await Promise.all([getOnce("/v1/quantities"), getOnce("/v1/limits")]);
+  let [found, quantities, limits] = await Promise.all([get(path), getOnce("/v1/quantities"), getOnce("/v1/limits")]);
   const titles = new Map(quantities.items.map(({ name, title }) => [name, title]));
-  let found = await get(path);
   showInputs(found, limits.parameters);
   for (; ; found = await get(path)) {
     showState(found);
     if (!["queued", "running"].includes(found.state)) break;
     await pause();
   }
-  await showPeaks(quantities.items, found);
-  if (found.history) await showHistory(found, titles);
-  else {
-    $("drawing-sheet").hidden = $("spectrum-sheet").hidden = true;
-    show($("histories"), html`<p class="empty">No history of this case is stored. <a href="${address("/studies/new")}">Create a study</a> of it that keeps time histories: it is then computed once more.</p>`);
-  }
+  await Promise.all([showPeaks(quantities.items, found), found.history ? showHistory(found, titles) : tellNoHistory()]);
   tellRequests();
   if (found.state === "succeeded") await verification();
 };
@@ -77,6 +71,11 @@ const showHistory = async (found, titles) => {
   const whole = await channels(id, titles, tellRequests);
   const longest = Math.max(...whole.channels.map(({ time_s }) => time_s.at(-1)));
   new Drawing(id, found, whole, longest);
+};
+
+const tellNoHistory = () => {
+  $("drawing-sheet").hidden = $("spectrum-sheet").hidden = true;
+  show($("histories"), html`<p class="empty">No history of this case is stored. <a href="${address("/studies/new")}">Create a study</a> of it that keeps time histories: it is then computed once more.</p>`);
 };
 
 const tellRequests = () => {
