@@ -21,6 +21,8 @@ from app.studies.sweep import ContradictionError, located
 from solver.case import Irregularity, Spectral
 from solver.catalogue import SPECTRA
 
+HIGHEST_M = 1e3  # what is higher, or no number, cannot be drawn
+APART = "The values are too many orders of magnitude apart to reckon with."
 SEGMENTS = 8  # as long as the profile; with those between them, the density is the mean of 15
 DRAWN = 200  # frequencies of the spectrum, in equal ratios
 
@@ -37,7 +39,7 @@ def preview(context: Context, request: PreviewRequest, caller: Caller) -> Irregu
     Raises
     ------
     Problem
-        422 if its values contradict each other, or it is too long for its shortest waves.
+        422 if its values contradict each other, it is too long for its shortest waves, or higher than any rail.
     """
     try:
         with context.database.read() as session, located(""):
@@ -55,8 +57,17 @@ def _sampled(irregularity: Irregularity, request: PreviewRequest) -> Irregularit
 
     count = _count(irregularity.shortest_wavelength, request.length_m)
     spacing = request.length_m / (count - 1)
-    with _ALONE:
-        heights = resolve_name(SAMPLE)(irregularity, request.start_m, spacing, count)
+    try:
+        with _ALONE, np.errstate(all="ignore"):
+            heights = resolve_name(SAMPLE)(irregularity, request.start_m, spacing, count)
+            drawn_from = _drawn_from(irregularity) if isinstance(irregularity, Spectral) else None
+    except ArithmeticError:
+        raise invalid("/irregularity", "contradiction", APART) from None
+    if not (np.abs(heights) < HIGHEST_M).all():
+        detail = f"The irregularity has heights of {HIGHEST_M:g} m or more; mind the units of its spectrum."
+        raise invalid("/irregularity", "too-high", detail)
+    if drawn_from is not None and not np.isfinite(drawn_from.densities_m3).all():
+        raise invalid("/irregularity", "contradiction", APART)
     shown = peaks_of_bins(heights, request.max_points)
     frequencies, density = welch(heights, 1 / spacing, count // SEGMENTS)
     return IrregularityPreview(
@@ -69,7 +80,7 @@ def _sampled(irregularity: Irregularity, request: PreviewRequest) -> Irregularit
             positions_m=(request.start_m + spacing * shown).tolist(), heights_mm=(heights[shown] * 1e3).tolist()
         ),
         density=HeightDensity(frequencies_per_m=frequencies[1:].tolist(), densities_m3=density[1:].tolist()),
-        drawn_from=_drawn_from(irregularity) if isinstance(irregularity, Spectral) else None,
+        drawn_from=drawn_from,
     )
 
 

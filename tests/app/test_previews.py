@@ -90,3 +90,8 @@ def test_what_cannot_be_shown(lenient_client: httpx.Client, problem: Check) -> N
     nothing = {"kind": "measured", "profile_id": "0" * 64}
     assert pointer(nothing) == ("/irregularity/profile_id", "contradiction")
     assert pointer(WAVE, length_m=0) == ("/length_m", "greater-than-equal")
+    steep = {"kind": "table", "per": "1/m", "sides": 1, "frequencies": [1e-3, 1.0000000000000002e-3, 10]}
+    steep["densities"] = [1e-100, 1e12, 1]
+    assert pointer(SPECTRUM | {"spectrum": steep}) == ("/irregularity", "too-high")
+    narrow = {"kind": "rational", "per": "1/m", "sides": 1, "roughness": 1e-6, "cutoff": 1e-300}
+    assert pointer(SPECTRUM | {"spectrum": narrow}) == ("/irregularity", "contradiction")

@@ -41,7 +41,7 @@ const facts = () => {
 const head = () => {
   $("name").textContent = study.name;
   document.title = `${study.name} · TrackSweep`;
-  show($("actions"), [html`<a class="button" href="${address("/compare", { study: id })}">Compare</a>`, ...actions(study)]);
+  show($("actions"), [html`<a class="button" href="${address("/studies/new", { like: id })}">Use as a template</a><a class="button" href="${address("/compare", { study: id })}">Compare</a>`, ...actions(study)]);
   htmx.process($("actions"));
 };
 
