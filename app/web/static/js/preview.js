@@ -40,6 +40,7 @@ export const preview = (rail, profiles) => {
   $("shown-field").hidden = found.length < 2;
   const draw = () => picture(found[$("shown").selectedIndex].rail, profiles);
   $("shown").onchange = draw;
+  if (!charts["profile-chart"]) $("preview-facts").textContent = "The picture is being drawn.";
   timer = setTimeout(draw, PAUSE_MS);
 };
 
