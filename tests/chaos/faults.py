@@ -86,7 +86,10 @@ def restart_database(system: System, rng: Random) -> Details | None:
         system.postgres.start()
     else:
         with closing(sqlite3.connect(system.data / "tracksweep.db", timeout=10, isolation_level=None)) as database:
-            database.execute("BEGIN EXCLUSIVE")
+            try:
+                database.execute("BEGIN EXCLUSIVE")
+            except sqlite3.OperationalError:  # who holds it was stopped, or the disk is full
+                return None
             time.sleep(down_s)
             database.execute("ROLLBACK")
     return {"down_s": round(down_s, 3)}
