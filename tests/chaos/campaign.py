@@ -41,6 +41,7 @@ def run(
         "settings",
         database=database,
         seed=seed,
+        pause_s=pause,
         control=control,
         lease_s=LEASE_S,
         sweep_s=SWEEP_S,

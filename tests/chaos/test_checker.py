@@ -24,6 +24,7 @@ class Story:
                 "kind": "settings",
                 "database": "sqlite",
                 "seed": 1,
+                "pause_s": 20.0,
                 "control": "",
                 "lease_s": LEASE_S,
                 "sweep_s": SWEEP_S,
