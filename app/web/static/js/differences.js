@@ -29,7 +29,7 @@ export const showDifferences = async (path, panel) => {
   const values = panel.axes.get(axis);
   options($("baseline"), values.map((value) => (typeof value === "string" ? value : JSON.stringify(value))), values.map(given));
   const { quantity, position, statistic } = panel.choice;
-  const found = await get(`${path}/comparison`, { axis, statistic, baseline: $("baseline").value });
+  const found = await get(`${path}/comparison`, { axis, statistic, baseline: $("baseline").value, quantity: panel.some ? quantity : null });
   const title = Object.fromEntries(panel.quantities.map((each) => [each.name, each.title]));
   const scaled = (row, key) => shownUnit(row.unit).factor * row[key];
   averages.show([

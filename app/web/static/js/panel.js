@@ -54,9 +54,9 @@ export class Panel {
     this.changed(name);
   }
 
-  /** Show these summaries (see summarise_study). */
-  show(summaries) {
-    this.summaries = summaries;
+  /** Show these summaries (see summarise_study); `some`: they are of one quantity, and there are others. */
+  show(summaries, some = false) {
+    Object.assign(this, { summaries, some });
     this.axes = axesOf(summaries);
     this.draw();
   }
@@ -64,9 +64,9 @@ export class Panel {
   draw() {
     const there = new Map();
     for (const { quantity, position } of this.summaries) there.set(quantity, (there.get(quantity) ?? new Set()).add(position));
-    const quantities = this.quantities.filter(({ name }) => there.has(name));
+    const quantities = this.quantities.filter(({ name }) => this.some || there.has(name));
     choose($("quantity"), quantities.map(({ name, title }) => [name, title]), this.wanted.quantity);
-    const positions = [...(there.get($("quantity").value) ?? [])];
+    const positions = [...(there.get($("quantity").value) ?? this.info?.positions ?? [])];
     choose($("position"), positions.map((name) => [name, words(name)]), this.wanted.position);
     choose($("axis"), [...this.axes.keys()].filter((name) => name !== "study").map((name) => [name, heading(name)]), this.wanted.axis ?? firstAxis(this.axes));
     const { position, axis, statistic } = this.choice;
@@ -77,7 +77,7 @@ export class Panel {
     $("curve-note").textContent = [this.info.convention, spec?.several && BAND, ...this.info.limits.map((limit) => `Limit ${quantity(limit.value, this.info.unit)}: ${limit.applies}, ${limit.source}`)].filter(Boolean).join(" · ");
     if (spec) this.chart = this.drawn(this.chart, $("curve"), { ...spec, limits: statistic === "std" ? [] : spec.limits, height: 340 });
     else show($("curve"), html`<p class="empty">Nothing varies here: the number is in the table.</p>`);
-    for (const info of quantities) this.small(info, [...there.get(info.name)][0], axis);
+    for (const info of quantities) if (!this.some) this.small(info, [...there.get(info.name)][0], axis);
   }
 
   small(info, position, axis) {

@@ -46,14 +46,17 @@ const head = () => {
 };
 
 const results = async () => {
-  const { statistic, quantity, position } = panel.choice;
-  const some = study.cases.total > MANY ? { quantity: quantity || panel.wanted.quantity || panel.quantities[0].name } : {};
-  const { conditions } = await get(`${path}/statistics`, { statistic, ...some });
+  const { statistic, quantity } = panel.choice;
+  const some = study.cases.total > MANY;
+  const of = some ? quantity || panel.wanted.quantity || panel.quantities[0].name : null;
+  const { conditions } = await get(`${path}/statistics`, { statistic, quantity: of });
   $("results").hidden = !conditions.length;
-  if (!conditions.length) return;
-  panel.show(conditions);
-  await Promise.all([table(), differences()]);
-  if (!quantity || !position) requests();
+  $("multiples-title").hidden = some;
+  if (conditions.length) {
+    panel.show(conditions, some);
+    await Promise.all([table(), differences()]);
+  }
+  requests();
 };
 
 const table = async () => {
@@ -101,7 +104,7 @@ const requests = () => {
   const following = (url) => `from tracksweep_client import Service\n\nwith Service("${url}") as service:\n    for event in service.watch("${id}"):\n        print(event)`;
   showRequests($("request"), [
     { operation: "peaks.list_peaks", path: "/v1/peaks", query: { ...parameters, quantity, position } },
-    { operation: "analysis.summarise_study", path: "/v1/studies/{study_id}/statistics", parameters, query: { statistic } },
+    { operation: "analysis.summarise_study", path: "/v1/studies/{study_id}/statistics", parameters, query: { statistic, ...(study.cases.total > MANY && { quantity }) } },
     ...(between ? [{ operation: "analysis.compare_study", path: "/v1/studies/{study_id}/comparison", parameters, query: { axis: between, statistic, baseline: $("baseline").value } }] : []),
     { operation: "studies.watch_study", path: "/v1/studies/{study_id}/events", parameters, python: following },
   ]);
@@ -155,7 +158,7 @@ const begin = async () => {
   study = found;
   facts();
   head();
-  panel = new Panel(quantities.items, (name) => (name === "statistic" || study.cases.total > MANY ? results() : Promise.all([table(), differences()])).then(requests).catch(notify));
+  panel = new Panel(quantities.items, (name) => (name === "statistic" || study.cases.total > MANY ? results() : Promise.all([table(), differences()]).then(requests)).catch(notify));
   look();
   await follow();
 };
