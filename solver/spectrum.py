@@ -88,14 +88,14 @@ class Rational(Spectrum):
     """``S = A c^2 / ((Omega^2 + r^2) (Omega^2 + c^2))``, c and r in its own unit of frequency."""
 
     roughness: float = quantity("", "A, m^2 times the unit of frequency", ge=0, le=1)
-    cutoff: float = quantity("", "c, cut-off frequency", gt=0, le=1e3)
-    lower_cutoff: float = quantity("", "r, lower cut-off frequency, below c", ge=0, lt=1e3, default=0.0)
+    cutoff: float = quantity("", "c, cut-off frequency", ge=1e-3, le=1e3)
+    lower_cutoff: float = quantity("", "r, lower cut-off frequency, at most 0.99 c", ge=0, lt=1e3, default=0.0)
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.lower_cutoff >= self.cutoff:
+        if self.lower_cutoff > 0.99 * self.cutoff:  # the density's integral is a difference that would be lost
             raise InvalidParameterError(
-                _PATH + "lower_cutoff", f"must be less than cutoff = {self.cutoff:g}, is {self.lower_cutoff:g}"
+                _PATH + "lower_cutoff", f"must be at most 0.99 cutoff = {0.99 * self.cutoff:g}, is {self.lower_cutoff:g}"
             )
 
 

@@ -131,7 +131,7 @@ GERMAN = ALL["german-low"]
         (TB, {"breaks": (0.0, 0.01, 0.1)}, "breaks"),
         (TB, {"wavelength_range": (2.0,)}, "wavelength_range"),
         (GERMAN, {"lower_cutoff": 0.9}, "lower_cutoff"),
-        (GERMAN, {"cutoff": 0.0}, "cutoff"),
+        (GERMAN, {"cutoff": 1e-4}, "cutoff"),
         (GERMAN, {"roughness": -1.0}, "roughness"),
         (TABLE, {"frequencies": (1.0, 0.5, 2.0, 3.0)}, "frequencies"),
         (TABLE, {"frequencies": (1.0,)}, "frequencies"),
@@ -149,3 +149,12 @@ def test_what_is_no_spectrum_is_refused_by_name(spectrum, parts, parameter):
 def test_no_spectrum_leaves_its_convention_open(cls):
     with pytest.raises(TypeError, match="'per', 'sides'"):
         cls()
+
+
+@pytest.mark.parametrize("lower_cutoff", [0.0, 0.99e-3])
+def test_the_least_cutoffs_leave_the_variance_positive(lower_cutoff):
+    """It is a difference, of which the more is lost the lower the cut-offs and the higher the frequency."""
+    spectrum = Rational(per="rad/m", sides=1, roughness=1.0, cutoff=1e-3, lower_cutoff=lower_cutoff)
+    edges = np.geomspace(1e-3, 50.0, 200)
+    middle = np.sqrt(edges[:-1] * edges[1:])
+    assert variance_between(spectrum, edges) == pytest.approx(density(spectrum, middle) * np.diff(edges), rel=0.05)

@@ -33,7 +33,7 @@ class RationalSpectrum:
         sides (RationalSpectrumSides): Whether its integral over positive frequencies is the variance (1) or half of it.
         roughness (float): A, m^2 times the unit of frequency.
         cutoff (float): C, cut-off frequency.
-        lower_cutoff (float | Unset): R, lower cut-off frequency, below c. Default: 0.0.
+        lower_cutoff (float | Unset): R, lower cut-off frequency, at most 0.99 c. Default: 0.0.
     """
 
     kind: Literal["rational"]
