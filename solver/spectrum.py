@@ -95,7 +95,8 @@ class Rational(Spectrum):
         super().__post_init__()
         if self.lower_cutoff > 0.99 * self.cutoff:  # the density's integral is a difference that would be lost
             raise InvalidParameterError(
-                _PATH + "lower_cutoff", f"must be at most 0.99 cutoff = {0.99 * self.cutoff:g}, is {self.lower_cutoff:g}"
+                _PATH + "lower_cutoff",
+                f"must be at most {0.99 * self.cutoff:g} (0.99 cutoff), is {self.lower_cutoff:g}",
             )
 
 
