@@ -1,6 +1,6 @@
 """How quickly the API answers while both workers compute.
 
-python -m benchmarks.load [--clients N] [--turns N] [--pause S]
+python -m benchmarks.load [--clients N] [--turns N] [--pause S] [--api-processes N]
 """
 
 import argparse
@@ -19,10 +19,10 @@ from benchmarks.service import study
 BUSY = study(64, {"settle_s": 0.5, "window_s": 3.0})
 CASES = 100  # of every study that a client creates
 
-HOW = """`tracksweep serve` with two workers, both computing all the time. {clients} clients at once take {turns} turns
-each: in every turn they list studies and peaks, get a study, its cases and one case, and in every fifth they create a
-study of {cases} new cases. Between two requests a client thinks for {pause:g} s on average. Milliseconds are from
-request to answer, over one connection per client."""
+HOW = """`tracksweep serve` with two workers, both computing all the time, and {processes} processes that answer.
+{clients} clients at once take {turns} turns each: in every turn they list studies and peaks, get a study, its cases
+and one case, and in every fifth they create a study of {cases} new cases. Between two requests a client thinks for
+{pause:g} s on average. Milliseconds are from request to answer, over one connection per client."""
 
 
 def harmonic(cases: int, salt: float) -> dict[str, Any]:
@@ -58,9 +58,9 @@ def ask(url: str, study_id: str, client: int, turns: int, pause: float) -> dict[
     return seconds
 
 
-def run(clients: int, turns: int, pause: float) -> Result:
+def run(clients: int, turns: int, pause: float, processes: int) -> Result:
     """Load a service."""
-    with served(2) as url:
+    with served(2, TRACKSWEEP_API_PROCESSES=str(processes)) as url:
         busy = submit(url, BUSY)
         while httpx.get(f"{url}/v1/studies/{busy}", trust_env=False).json()["cases"]["running"] == 0:
             time.sleep(0.2)
@@ -75,7 +75,7 @@ def run(clients: int, turns: int, pause: float) -> Result:
     creates = next(values for name, values in seconds.items() if "create" in name)
     return Result(
         title="Answers under load",
-        how=HOW.format(clients=clients, turns=turns, pause=pause, cases=CASES),
+        how=HOW.format(processes=processes, clients=clients, turns=turns, pause=pause, cases=CASES),
         command="python -m benchmarks.load",
         values={
             "p95_read_ms": float(np.quantile(reads, 0.95)),
@@ -91,8 +91,9 @@ def main() -> None:
     parser.add_argument("--clients", type=int, default=20)
     parser.add_argument("--turns", type=int, default=20)
     parser.add_argument("--pause", type=float, default=0.5, help="seconds between two requests of a client")
+    parser.add_argument("--api-processes", type=int, default=2)
     options = parser.parse_args()
-    publish("load", run(options.clients, options.turns, options.pause))
+    publish("load", run(options.clients, options.turns, options.pause, options.api_processes))
 
 
 if __name__ == "__main__":

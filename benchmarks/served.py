@@ -17,12 +17,14 @@ from tracksweep_client import Service
 
 
 @contextmanager
-def served(workers: int) -> Iterator[str]:
-    """Serve an empty folder by some workers; the service's URL."""
+def served(workers: int, **settings: str) -> Iterator[str]:
+    """Serve an empty folder by some workers, with some settings; the service's URL."""
     with tempfile.TemporaryDirectory(prefix="tracksweep-") as folder:
         command = [sys.executable, "-m", "worker.cli", "serve", "--data", folder, "--port", "0"]
         command += ["--workers", str(workers)]
-        environment = {name: value for name, value in os.environ.items() if not name.startswith("TRACKSWEEP_")}
+        environment = {
+            name: value for name, value in os.environ.items() if not name.startswith("TRACKSWEEP_")
+        } | settings
         log = Path(folder) / "serve.log"
         with (
             log.open("w") as output,

@@ -13,6 +13,7 @@ from app.db.types import Clock
 from app.workload.schemas import QueueInfo, RunningCase, Throughput, WorkerInfo
 
 MINUTE_S, HOUR_S = 60.0, 3600.0
+SHOWN = [getattr(Case, name) for name in RunningCase.model_fields]  # without the inputs, which are large
 LATEST = 10_000  # cases that are looked at for the throughput: there is no index of all by when they were finished
 
 
@@ -31,9 +32,10 @@ def look(session: Session, caller: Caller) -> QueueInfo:
 
 
 def _workers(session: Session, caller: Caller, running: Counter[str | None]) -> list[WorkerInfo]:
-    visible = select(Case).where(Case.state == "running", *visibility.cases(caller, Case.id)).order_by(Case.id)
+    running_ones = select(Case.worker, *SHOWN).where(Case.state == "running")
+    visible = running_ones.where(*visibility.cases(caller, Case.id)).order_by(Case.id)
     cases: dict[str | None, list[RunningCase]] = {}
-    for case in session.scalars(visible):
+    for case in session.execute(visible):
         cases.setdefault(case.worker, []).append(RunningCase.model_validate(case))
     names = session.scalars(select(Worker.name).where(Worker.expires > Clock()).order_by(Worker.name))
     return [WorkerInfo(name=name, running=running[name], cases=cases.get(name, [])) for name in names]

@@ -31,7 +31,6 @@ def main() -> None:
     run.add_argument("--database", choices=["sqlite", "postgresql"], required=True)
     run.add_argument("--faults", type=int, default=75)
     run.add_argument("--seed", type=int, default=1)
-    run.add_argument("--pause", type=float, default=1.2, help="seconds between two faults, on average")
     run.add_argument("--control", choices=CONTROLS)
     report = commands.add_parser("report", help="check records")
     report.add_argument("records", type=Path, nargs="+")
@@ -61,7 +60,7 @@ def run_once(options: argparse.Namespace) -> None:
     from tests.chaos.campaign import run  # noqa: PLC0415
 
     options.record.parent.mkdir(parents=True, exist_ok=True)
-    names = ("database", "faults", "seed", "pause")
+    names = ("database", "faults", "seed")
     run_of = {"file": options.record, **{name: getattr(options, name) for name in names}}
     if options.control:
         run_of |= {"control": options.control, "environment": CONTROLS[options.control], "calm_s": CONTROL_CALM_S}

@@ -19,6 +19,7 @@ from tests.chaos.record import Record
 from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, until
 
 CLIENTS, WORKERS = 3, 2
+PAUSE_S = 1.2  # between two faults, on average
 PATIENCE_S = 120.0  # until a worker is there again
 HIT_S = 60.0  # until there is something for a fault to hit
 VERIFIED = 10  # cases computed once more at the end
@@ -30,7 +31,6 @@ def run(
     database: str,
     faults: int,
     seed: int,
-    pause: float,
     control: str = "",
     calm_s: float = CALM_S,
     environment: Mapping[str, str] = MappingProxyType({}),
@@ -41,7 +41,6 @@ def run(
         "settings",
         database=database,
         seed=seed,
-        pause_s=pause,
         control=control,
         lease_s=LEASE_S,
         sweep_s=SWEEP_S,
@@ -57,7 +56,7 @@ def run(
         for client in clients:
             client.start()
         try:
-            inject(made, faults, seed, pause)
+            inject(made, faults, seed)
         finally:
             record.write("calm")
             stopping.set()
@@ -72,7 +71,7 @@ def run(
     record.close()
 
 
-def inject(made: System, count: int, seed: int, pause: float) -> None:
+def inject(made: System, count: int, seed: int) -> None:
     """Let faults happen at random instants, also at the same time, but of each kind one at a time."""
     rng = Random(seed)
     alone = {fault: Lock() for fault in FAULTS}
@@ -80,7 +79,7 @@ def inject(made: System, count: int, seed: int, pause: float) -> None:
         while count:
             happening = []
             for fault in deck(made, count, rng):
-                time.sleep(rng.expovariate(1 / pause))
+                time.sleep(rng.expovariate(1 / PAUSE_S))
                 until(made.workers, PATIENCE_S)  # or nothing is done that could be broken
                 happening.append(pool.submit(happen, made, fault, Random(rng.random()), alone[fault]))
             count -= sum(future.result() for future in happening)

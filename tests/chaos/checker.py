@@ -14,8 +14,7 @@ from tests.chaos.record import Line
 
 ENDED = {"succeeded", "failed", "cancelled"}
 STUDY_ENDED = {"succeeded", "partially_failed", "failed", "cancelled"}
-MAX_REPEATED = 0.2  # of all computations that were begun,
-RARELY_S = 10.0  # where faults are as far apart: where one follows another, little is done but what they broke off
+MAX_REPEATED = 0.2  # of all computations that were begun
 COPIED_S = 0.15  # how late a change may be copied to the record
 MARGIN_S = 1.0  # on a machine that has other things to do
 
@@ -205,7 +204,7 @@ def silent_workers_are_noticed(facts: Facts) -> Iterator[str]:
 
 def little_is_computed_twice(facts: Facts) -> Iterator[str]:
     begun, repeated = computations(facts)
-    if facts.settings["pause_s"] >= RARELY_S and repeated > MAX_REPEATED * begun:
+    if repeated > MAX_REPEATED * begun:
         yield f"{repeated} of {begun} computations were repetitions"
 
 

@@ -1,6 +1,6 @@
 """``docs/reliability.md``: what was broken, what was found."""
 
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from statistics import median, quantiles
@@ -41,23 +41,25 @@ def _violations(run: Run) -> int:
 def _page(runs: Sequence[Run], controls: Sequence[Run]) -> Iterator[str]:
     yield (Path(__file__).parent / "report.md").read_text().rstrip()
     yield "\n## What was broken\n"
-    campaigns: dict[str, list[Run]] = defaultdict(list)
-    for run in sorted(runs, key=_campaign):
-        campaigns[_title(run)].append(run)
-    columns = list(campaigns)
-    facts = [[run[0] for run in of] for of in campaigns.values()]
+    databases = {name: [run for run in runs if run[0].settings["database"] == name] for name in DATABASES}
+    columns = [name for name, of in databases.items() if of]
+    facts = [[run[0] for run in databases[name]] for name in columns]
     seeds = [", ".join(str(each.settings["seed"]) for each in of) for of in facts]
-    yield from _table(["", *columns], [["seeds", *seeds]])
+    yield from _table(["", *(TITLES[name] for name in columns)], [["seeds", *seeds]])
     kinds = [Counter(line["fault"] for each in of for line in each.of("fault")) for of in facts]
     rows = [[kind.replace("_", " "), *(count[kind] for count in kinds)] for kind in sorted(set().union(*kinds))]
     yield "\n"
-    yield from _table(["fault", *columns], [*rows, ["**all**", *(f"**{n.total()}**" for n in kinds)]])
-    yield "\n## What came of it\n"
-    yield from _table(["", *columns], [[title, *map(figure, facts)] for title, figure in FIGURES.items()])
-    yield "\n## Violations\n"
-    found = [[run[1] for run in of] for of in campaigns.values()]
     yield from _table(
-        ["rule", *columns, *(_name_of(control) for control in controls)],
+        ["fault", *(TITLES[name] for name in columns)], [*rows, ["**all**", *(f"**{n.total()}**" for n in kinds)]]
+    )
+    yield "\n## What came of it\n"
+    yield from _table(
+        ["", *(TITLES[name] for name in columns)], [[title, *map(figure, facts)] for title, figure in FIGURES.items()]
+    )
+    yield "\n## Violations\n"
+    found = [[run[1] for run in databases[name]] for name in columns]
+    yield from _table(
+        ["rule", *(TITLES[name] for name in columns), *(_name_of(control) for control in controls)],
         [
             [
                 rule.__name__.replace("_", " "),
@@ -68,15 +70,6 @@ def _page(runs: Sequence[Run], controls: Sequence[Run]) -> Iterator[str]:
         ],
     )
     yield ""
-
-
-def _campaign(run: Run) -> tuple[float, int]:
-    return run[0].settings["pause_s"], DATABASES.index(run[0].settings["database"])
-
-
-def _title(run: Run) -> str:
-    pause, database = _campaign(run)
-    return f"{TITLES[DATABASES[database]]}, every {pause:g} s"
 
 
 def _name_of(control: Run) -> str:

@@ -142,13 +142,7 @@ class Life:
     def _check(self) -> None:
         with self.inspector.read() as session:
             rows = session.execute(text("SELECT * FROM chaos_change")).mappings().all()
-        settings = {
-            "pause_s": 0,
-            "lease_s": 0,
-            "sweep_s": 0,
-            "max_attempts": MAX_ATTEMPTS,
-            "complete_set": remains.complete_set(),
-        }
+        settings = {"lease_s": 0, "sweep_s": 0, "max_attempts": MAX_ATTEMPTS, "complete_set": remains.complete_set()}
         left = remains.collect(self.inspector, self.context.histories)
         lines = [{"kind": "settings"} | settings, *({"kind": "change", "t": 0} | dict(row) for row in rows)]
         violations = check([*lines, {"kind": "remains"} | left])

@@ -33,5 +33,5 @@ render("queue", ({ queued, running, oldest_queued_at: oldest, throughput, worker
     ${fact("Waiting", count(queued), "cases")}${fact("The oldest waits", since(oldest))}${fact("Running", count(running), "cases")}
     ${fact("Workers", count(found.length))}${fact("Last minute", count(throughput.last_minute), "cases")}${fact("Last hour", count(throughput.last_hour), "cases")}
     ${fact("Computing, last hour", duration(throughput.cpu_s_last_hour))}</dl></section>
-    <section class="sheet"><h2>Workers</h2><div class="scroll">${found.length ? workers(found) : NOBODY}</div></section>`;
+    <section class="sheet" aria-labelledby="workers-title"><h2 id="workers-title">Workers</h2><div class="scroll" tabindex="0" role="region" aria-labelledby="workers-title">${found.length ? workers(found) : NOBODY}</div></section>`;
 });

@@ -1,7 +1,7 @@
 // Studies: the list, as the API gives it.
 
 import { actions, hasEnded, studyUrl } from "./actions.js";
-import { address, get } from "./api.js";
+import { address, get, getOnce } from "./api.js";
 import { count, duration, instant, percent, words } from "./format.js";
 import { $, html } from "./html.js";
 import { render } from "./page.js";
@@ -67,8 +67,9 @@ $("list").addEventListener("change", ({ target }) => {
   $("compare").textContent = chosen.size ? `Compare ${chosen.size}` : "Compare";
 });
 
-$("list").addEventListener("click", ({ target }) => {
+$("list").addEventListener("click", async ({ target }) => {
   if (target.id !== "more") return;
-  $("page_size").value = Math.min(500, 2 * $("page_size").value);
+  const { max_page_size: most } = await getOnce("/v1/limits");
+  $("page_size").value = Math.min(most, 2 * $("page_size").value);
   $("filters").dispatchEvent(new Event("input", { bubbles: true }));
 });
