@@ -6,6 +6,9 @@ EN 14363: 20 Hz low-pass of wheel-rail forces, their 99.85 % quantile, 0.4-10 Hz
 GB/T 5599: wheel unloading, Sperling's index.
 """
 
+from functools import cache
+from typing import Literal
+
 import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
@@ -22,14 +25,17 @@ CONTACT_LOST_N = 0.0  # contact is lost where its force is not above this
 
 def low_pass(values: Array, step: float) -> Array:
     """A history without what is faster than 20 Hz; ``step`` in s."""
-    sections = butter(FILTER_ORDER, FORCE_CUTOFF_HZ, "lowpass", fs=1 / step, output="sos")
-    return _filtered(values, step, sections, FORCE_CUTOFF_HZ)
+    return _filtered(values, step, _sections("lowpass", FORCE_CUTOFF_HZ, step), FORCE_CUTOFF_HZ)
 
 
 def comfort_band(values: Array, step: float) -> Array:
     """A history between 0.4 and 10 Hz."""
-    sections = butter(FILTER_ORDER, COMFORT_BAND_HZ, "bandpass", fs=1 / step, output="sos")
-    return _filtered(values, step, sections, COMFORT_BAND_HZ[0])
+    return _filtered(values, step, _sections("bandpass", COMFORT_BAND_HZ, step), COMFORT_BAND_HZ[0])
+
+
+@cache  # a short case takes less time to filter than its filters to design
+def _sections(kind: Literal["lowpass", "bandpass"], edges: float | tuple[float, float], step: float) -> Array:
+    return butter(FILTER_ORDER, edges, kind, fs=1 / step, output="sos")
 
 
 def _filtered(values: Array, step: float, sections: Array, slowest: float) -> Array:
