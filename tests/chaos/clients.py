@@ -75,7 +75,7 @@ class Client(Thread):
         if self._sweeps and self._rng.random() < 0.15:
             sweep = self._rng.choice(self._sweeps)
         else:
-            amplitudes = [self._rng.randrange(1, 5000) / 10_000 for _ in range(self._rng.choice([1, 4, 16, 64]))]
+            amplitudes = [self._rng.randrange(1, 5000) / 10_000 for _ in range(self._rng.choice([1, 4, 16, 32]))]
             sweep = {
                 "kind": "product",
                 "speed_kmh": self._rng.sample(range(200, 351, 10), self._rng.choice([1, 1, 2, 3])),
