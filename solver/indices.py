@@ -25,17 +25,19 @@ CONTACT_LOST_N = 0.0  # contact is lost where its force is not above this
 
 def low_pass(values: Array, step: float) -> Array:
     """A history without what is faster than 20 Hz; ``step`` in s."""
-    return _filtered(values, step, _sections("lowpass", FORCE_CUTOFF_HZ, step), FORCE_CUTOFF_HZ)
+    return _filtered(values, step, _sections(FILTER_ORDER, "lowpass", FORCE_CUTOFF_HZ, step), FORCE_CUTOFF_HZ)
 
 
 def comfort_band(values: Array, step: float) -> Array:
     """A history between 0.4 and 10 Hz."""
-    return _filtered(values, step, _sections("bandpass", COMFORT_BAND_HZ, step), COMFORT_BAND_HZ[0])
+    return _filtered(values, step, _sections(FILTER_ORDER, "bandpass", COMFORT_BAND_HZ, step), COMFORT_BAND_HZ[0])
 
 
 @cache  # a short case takes less time to filter than its filters to design
-def _sections(kind: Literal["lowpass", "bandpass"], edges: float | tuple[float, float], step: float) -> Array:
-    return butter(FILTER_ORDER, edges, kind, fs=1 / step, output="sos")
+def _sections(
+    order: int, kind: Literal["lowpass", "bandpass"], edges: float | tuple[float, float], step: float
+) -> Array:
+    return butter(order, edges, kind, fs=1 / step, output="sos")
 
 
 def _filtered(values: Array, step: float, sections: Array, slowest: float) -> Array:

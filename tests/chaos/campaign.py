@@ -1,5 +1,6 @@
 """One run: clients, faults by a seeded schedule, calm, and what is left."""
 
+import itertools
 import time
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -20,7 +21,9 @@ from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, u
 
 CLIENTS, WORKERS = 3, 2
 PAUSE_S = 1.2  # between two faults, on average
+CASES_PER_FAULT = 16  # or there is no telling what part of the work is done twice, least of all on a slow machine
 PATIENCE_S = 120.0  # until a worker is there again
+STANDSTILL_S = 20.0
 HIT_S = 60.0  # until there is something for a fault to hit
 VERIFIED = 10  # cases computed once more at the end
 CALM_S = 90.0  # for everything to end once nothing breaks any more
@@ -76,13 +79,22 @@ def inject(made: System, count: int, seed: int) -> None:
     rng = Random(seed)
     alone = {fault: Lock() for fault in FAULTS}
     with ThreadPoolExecutor(len(FAULTS)) as pool:
+        enough = itertools.count(0, CASES_PER_FAULT)
         while count:
             happening = []
             for fault in deck(made, count, rng):
                 time.sleep(rng.expovariate(1 / PAUSE_S))
                 until(made.workers, PATIENCE_S)  # or nothing is done that could be broken
+                let_work(made, next(enough))
                 happening.append(pool.submit(happen, made, fault, Random(rng.random()), alone[fault]))
             count -= sum(future.result() for future in happening)
+
+
+def let_work(made: System, enough: int) -> None:
+    """Wait until so many cases are computed, but not for long: where a rule is off, all may stand still."""
+    deadline = time.monotonic() + STANDSTILL_S
+    while made.follower.succeeded < enough and time.monotonic() < deadline:
+        time.sleep(0.05)
 
 
 def deck(made: System, count: int, rng: Random) -> list[Fault]:

@@ -84,6 +84,7 @@ class Follower:
         self._thread = Thread(target=self._run, name="follower")
         self.holders: dict[int, str] = {}  # worker by case
         self.present: set[str] = set()  # workers that ever said that they are there
+        self.succeeded = 0
         self._thread.start()
 
     def close(self) -> None:
@@ -109,6 +110,7 @@ class Follower:
                 self.holders[row["case_id"]] = row["worker"]
             elif row["what"] == "case":
                 self.holders.pop(row["case_id"], None)
+                self.succeeded += row["now"] == "succeeded"
 
     def _new(self) -> Iterator[dict[str, Any]]:
         later = text("SELECT * FROM chaos_change WHERE n > :n ORDER BY n")

@@ -130,7 +130,7 @@ def jump_clock(system: System, rng: Random) -> Details | None:
     worker = _some_worker(system, rng)
     if worker is None:
         return None
-    jump_s, ahead_s = rng.choice((-600, 600)), rng.uniform(0.5, 4)
+    jump_s, ahead_s = rng.choice((-600, 600)), rng.uniform(1.5, 4)  # longer than a process believes in the time it read
     clock = system.control / system.environment["CHAOS_CLOCK"].format(pid=worker.pid)
     _set(clock, f"{jump_s:+d}")
     time.sleep(ahead_s)
