@@ -27,6 +27,7 @@ POLICY = "; ".join(
         "frame-ancestors 'none'",
     ]
 )
+TEMPLATES = Environment(loader=PackageLoader("app.web"), autoescape=True, undefined=StrictUndefined)
 FOR_EVER = "public, max-age=31536000, immutable"
 HEADERS = {"Cache-Control": "no-cache", "Content-Security-Policy": POLICY}
 PAGES = {
@@ -46,10 +47,9 @@ def add_web(app: FastAPI) -> None:
     for file in files:
         address = f"/{static}/{file.relative_to(STATIC).as_posix()}"
         add(app, address, partial(FileResponse, file, headers={"Cache-Control": FOR_EVER}))
-    templates = Environment(loader=PackageLoader("app.web"), autoescape=True, undefined=StrictUndefined)
     for path, name in PAGES.items():
         root = "../" * (path.count("/") - 1)
-        html = templates.get_template(f"{name}.html").render(page=name, root=root, static=f"{root}{static}")
+        html = TEMPLATES.get_template(f"{name}.html").render(page=name, root=root, static=f"{root}{static}")
         add(app, path, partial(HTMLResponse, html, headers=HEADERS))
 
 

@@ -1,5 +1,6 @@
 """The application behind a real HTTP server."""
 
+import ssl
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
@@ -23,6 +24,8 @@ STUDY: dict[str, Any] = {
         "irregularity": {"kind": "harmonic", "wavelength_m": [1.0], "amplitude_mm": [0.1, 0.3]},
     },
 }
+# Of no use here, but every client would make one, which takes longer than most tests.
+TLS = ssl.create_default_context()
 
 
 @contextmanager
@@ -34,7 +37,7 @@ def serving(settings: Settings) -> Iterator[httpx.Client]:
         assert thread.is_alive()
     port = server.servers[0].sockets[0].getsockname()[1]
     try:
-        with httpx.Client(base_url=f"http://127.0.0.1:{port}", trust_env=False, timeout=30) as client:
+        with httpx.Client(base_url=f"http://127.0.0.1:{port}", trust_env=False, timeout=30, verify=TLS) as client:
             yield client
     finally:
         server.should_exit = True

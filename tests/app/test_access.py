@@ -21,6 +21,7 @@ from app.access.rates import Rates
 from app.db.models import ApiKey, Case, Peak
 from app.db.session import Database
 from app.settings import Settings
+from tests.app.conftest import TLS
 from worker import lease
 from worker.claim import Claim, claim
 from worker.cli import program
@@ -46,7 +47,9 @@ def make(database: Database, client: httpx.Client) -> Iterator[Callable[..., htt
     def create(name: str, scope: Any = "write", queued: int | None = None, cpu_s: float | None = None) -> httpx.Client:
         with database.write() as session:
             _, secret = keys.create(session, name, scope, queued, cpu_s)
-        clients.append(httpx.Client(base_url=client.base_url, headers=bearer(secret), trust_env=False, timeout=30))
+        clients.append(
+            httpx.Client(base_url=client.base_url, headers=bearer(secret), trust_env=False, timeout=30, verify=TLS)
+        )
         return clients[-1]
 
     yield create

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -68,8 +68,12 @@ class Served:
 
     def parts(self, word: str) -> list[psutil.Process]:
         """The parts whose command has a word, such as ``worker`` or ``api``."""
-        running = [part for part in self.supervisor.children() if not gone(part)]
-        return [part for part in running if word in part.cmdline()[1:] or word in part.name()]
+        found = []
+        for part in self.supervisor.children():
+            with suppress(psutil.NoSuchProcess):  # it ended just now
+                if not gone(part) and (word in part.cmdline()[1:] or word in part.name()):
+                    found.append(part)
+        return found
 
     def get(self, path: str, **query: Any) -> Any:
         return self.http.get(path, params=query).raise_for_status().json()
