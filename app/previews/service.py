@@ -1,9 +1,8 @@
-"""An irregularity over some length, sampled by the solver itself."""
+"""An irregularity over some length, sampled by the solver itself, which the service loads with the first preview."""
 
 import math
 import threading
 from functools import partial
-from pkgutil import resolve_name
 
 from app.access.caller import Caller
 from app.context import Context
@@ -25,10 +24,6 @@ HIGHEST_M = 1e3  # what is higher, or no number, cannot be drawn
 APART = "The values are too many orders of magnitude apart to reckon with."
 SEGMENTS = 8  # as long as the profile; with those between them, the density is the mean of 15
 DRAWN = 200  # frequencies of the spectrum, in equal ratios
-
-# By name, as they take SciPy, which the service loads with the first preview and not before.
-SAMPLE, DENSITY = "solver.irregularity:sample", "solver.density:density"
-FACTOR = "solver.irregularity:percentile_factor"
 
 _ALONE = threading.Lock()  # the widest bands take some 100 MB, and seconds where ten of them are added
 
@@ -54,12 +49,13 @@ def _sampled(irregularity: Irregularity, request: PreviewRequest) -> Irregularit
 
     from app.histories.sampling import peaks_of_bins  # noqa: PLC0415
     from app.welch import welch  # noqa: PLC0415
+    from solver.irregularity import sample  # noqa: PLC0415
 
     count = _count(irregularity.shortest_wavelength, request.length_m)
     spacing = request.length_m / (count - 1)
     try:
         with _ALONE, np.errstate(all="ignore"):
-            heights = resolve_name(SAMPLE)(irregularity, request.start_m, spacing, count)
+            heights = sample(irregularity, request.start_m, spacing, count)
             drawn_from = _drawn_from(irregularity) if isinstance(irregularity, Spectral) else None
     except ArithmeticError:
         raise invalid("/irregularity", "contradiction", APART) from None
@@ -97,8 +93,11 @@ def _count(shortest_m: float, length_m: float) -> int:
 def _drawn_from(irregularity: Spectral) -> HeightDensity:
     import numpy as np  # noqa: PLC0415
 
+    from solver.density import density  # noqa: PLC0415
+    from solver.irregularity import percentile_factor  # noqa: PLC0415
+
     spectrum = irregularity.spectrum
     known = SPECTRA[spectrum].values if isinstance(spectrum, str) else spectrum
     frequencies = np.geomspace(1 / irregularity.wavelength_max, 1 / irregularity.wavelength_min, DRAWN)
-    density = resolve_name(FACTOR)(irregularity.percentile) * resolve_name(DENSITY)(known, frequencies)
-    return HeightDensity(frequencies_per_m=frequencies.tolist(), densities_m3=density.tolist())
+    densities = percentile_factor(irregularity.percentile) * density(known, frequencies)
+    return HeightDensity(frequencies_per_m=frequencies.tolist(), densities_m3=densities.tolist())
