@@ -100,9 +100,10 @@ def database_url(request: pytest.FixtureRequest) -> str:
         shutil.copy(request.getfixturevalue("sqlite_with_tables"), url.removeprefix("sqlite:///"))
         return url
     url = request.getfixturevalue("postgresql_with_tables")
-    tables = ", ".join(f'"{name}"' for name in Base.metadata.tables)
-    with psycopg.connect(url.replace("+psycopg", ""), autocommit=True) as connection:
-        connection.execute(f"TRUNCATE {tables} RESTART IDENTITY")
+    with psycopg.connect(url.replace("+psycopg", "")) as connection:
+        for table in reversed(Base.metadata.sorted_tables):
+            connection.execute(f'DELETE FROM "{table.name}"')  # TRUNCATE takes a hundred times as long
+        connection.execute("SELECT setval(sequencename::regclass, 1, false) FROM pg_sequences")
     return url
 
 
