@@ -29,7 +29,13 @@ SOURCES = {
 }
 
 # Fields of answers that a service of the minor version before does not send: not required, for the client's sake.
-NEW = {"CaseDetail": {"processing"}, "PeakRow": {"parameters"}, "ParameterInfo": {"default"}}
+NEW = {
+    "CaseDetail": {"processing"},
+    "PeakRow": {"parameters"},
+    "ParameterInfo": {"default"},
+    "StudySummary": {"owner"},
+    "StudyDetail": {"owner"},
+}
 
 
 def document(app: FastAPI) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any, get_args
 from sqlalchemy import ColumnElement, Row, Select, and_, bindparam, case, func, or_, select
 from sqlalchemy.orm import Session, defer
 
-from app.db.models import Case, CaseState, Study, StudyCase
+from app.db.models import ApiKey, Case, CaseState, Study, StudyCase
 from app.pagination import Order, fetch_page
 from app.studies.schemas import StudyQuery
 
@@ -14,7 +14,7 @@ ORDERS = {"created_at": Study.created_at, "name": Study.name, "priority": Study.
 
 
 def overview(*of: ColumnElement[bool]) -> Select[Any]:
-    """Studies with ``total``, a count per case state, ``progress`` and ``state``.
+    """Studies with ``total``, a count per case state, ``progress``, ``state`` and ``owner``.
 
     Parameters
     ----------
@@ -45,7 +45,8 @@ def overview(*of: ColumnElement[bool]) -> Select[Any]:
         else_="failed",
     )
     columns = [column for column in n if column.name != "study_id"]
-    return select(Study, *columns, state.label("state")).join(tally, n.study_id == Study.id)
+    owner = select(ApiKey.name).where(ApiKey.id == Study.owner_id).scalar_subquery()
+    return select(Study, *columns, state.label("state"), owner.label("owner")).join(tally, n.study_id == Study.id)
 
 
 # Put together once: that takes longer than the database takes to answer.

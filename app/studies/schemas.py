@@ -147,6 +147,7 @@ class StudySummary(BaseModel):
     id: str
     name: str
     labels: dict[str, str]
+    owner: str | None = Field(description="Name of the API key that created it; null if that took none.")
     priority: int
     keep_history: bool
     state: StudyState

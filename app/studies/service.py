@@ -148,6 +148,7 @@ def _summary(row: Row[Any]) -> dict[str, Any]:
     columns = {name: getattr(row.Study, name) for name in StudySummary.model_fields if hasattr(row.Study, name)}
     counts = {name: getattr(row, name) for name in CaseCounts.model_fields}
     return columns | {
+        "owner": row.owner,
         "state": row.state,
         "progress": row.progress,
         "cases": counts,

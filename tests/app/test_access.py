@@ -297,6 +297,7 @@ def test_a_study_is_shared_to_be_read(
     for _ in range(2):
         assert anna.put(f"{url}/shares/ben").status_code == 204
     assert anna.get(f"{url}/shares").json() == {"items": [{"key": "ben"}]}
+    assert ben.get(url).json()["owner"] == ben.get("/v1/studies").json()["items"][0]["owner"] == "anna"
     for path, _ in reads(anna, annas):
         if path == f"{url}/shares":
             problem(ben.get(path), 403, "not-owner")

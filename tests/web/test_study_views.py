@@ -204,3 +204,15 @@ def test_a_key_is_asked_for_and_kept_in_the_tab(browser: Browser, guarded: tuple
         expect(page.locator("#queue")).to_contain_text("No worker is there")
         page.get_by_role("button", name="Forget key").click()
         expect(page.get_by_role("heading", name="API key")).to_be_visible()
+
+
+def test_what_failed_is_told_with_its_reason(page: Page, service: Served) -> None:
+    soft = {"track": {"pad_stiffness_n_per_m": 1e-6}, "vehicle": {"car_body_mass_kg": 1e6}}
+    study_id = service.submit(sweep("Hopeless", 300, slabs=("continuous",)) | soft)
+    assert service.ended(study_id)["state"] == "failed"
+    (case,) = service.cases(study_id)
+    page.goto(f"/studies/{study_id}")
+    expect(page.locator("#failures-table tbody tr")).to_have_count(1)
+    (row,) = rows(page, "#failures-table")
+    assert (row["case"], row["why"]) == (str(case["id"]), f"{case['error']['code']} {case['error']['detail']}")
+    check_accessibility(page)

@@ -18,10 +18,10 @@ const took = (study) => {
 };
 
 const row = (study) => {
-  const { id, name, labels, state, progress, cases } = study;
+  const { id, name, owner, labels, state, progress, cases } = study;
   return html`<tr id="study-${id}">
     <td><input type="checkbox" id="choose-${id}" data-choose="${id}" ${chosen.has(id) && "checked"} aria-label="Choose ${name} for a comparison"></td>
-    <td class="name"><a href="${studyUrl(id)}" id="name-${id}">${name}</a> ${Object.entries(labels).map(([key, value]) => html`<span class="label">${key}: ${value}</span>`)}</td>
+    <td class="name"><a href="${studyUrl(id)}" id="name-${id}">${name}</a> ${owner && html`<span class="label">by ${owner}</span>`} ${Object.entries(labels).map(([key, value]) => html`<span class="label">${key}: ${value}</span>`)}</td>
     <td><span class="state ${state}">${words(state)}</span></td>
     <td class="done">${!hasEnded(study) && html`<progress max="1" value="${progress}" aria-label="Progress of ${name}"></progress>`}<small>${percent(progress)}</small></td>
     <td class="number">${count(cases.total)}${cases.failed > 0 && html` <small class="error">${count(cases.failed)} failed</small>`}</td>

@@ -24,7 +24,7 @@ const peaks = new Table($("table"), "Peaks by case");
 const failures = new Table($("failures-table"), "Cases that failed");
 
 const facts = () => {
-  const { state, progress, cases, cases_reused: reused, created_at: created, started_at: started, finished_at: finished, finish, priority, labels } = study;
+  const { state, progress, cases, cases_reused: reused, created_at: created, started_at: started, finished_at: finished, finish, priority, owner, labels } = study;
   const end = finished ? new Date(finished) : Date.now();
   const fact = (name, value) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`;
   show($("facts"), html`<progress max="1" value="${progress}" aria-label="Progress"></progress><dl class="facts">
@@ -33,7 +33,7 @@ const facts = () => {
     ${fact("Were there already", count(reused))}
     ${fact(hasEnded(study) ? "Finished" : "To be finished", hasEnded(study) ? instant(finished) : finish ? html`${instant(finish.expected)} <small>± ${duration((new Date(finish.latest) - new Date(finish.earliest)) / 2000)}</small>` : "no worker is there")}
     ${fact("Took", started ? duration((end - new Date(started)) / 1000) : "–")}
-    ${fact("Created", instant(created))}
+    ${fact("Created", html`${instant(created)}${owner && ` by ${owner}`}`)}
     ${fact("Priority", given(priority))}
     ${fact("Labels", Object.keys(labels).length ? Object.entries(labels).map(([key, value]) => html`<span class="label">${key}: ${value}</span>`) : "–")}</dl>`);
 };

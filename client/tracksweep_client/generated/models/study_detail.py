@@ -8,6 +8,7 @@ from attrs import define as _attrs_define
 from attrs import field as _attrs_field
 
 from ..models.study_detail_state import StudyDetailState, check_study_detail_state
+from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
     from ..models.case_counts import CaseCounts
@@ -38,6 +39,7 @@ class StudyDetail:
         finished_at (datetime.datetime | None):
         finish (FinishEstimate | None): Null when it has ended, or while no worker is there.
         definition (StudyDetailDefinition): The request that created the study.
+        owner (None | str | Unset): Name of the API key that created it; null if that took none.
     """
 
     id: str
@@ -54,6 +56,7 @@ class StudyDetail:
     finished_at: datetime.datetime | None
     finish: FinishEstimate | None
     definition: StudyDetailDefinition
+    owner: None | str | Unset = UNSET
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -99,6 +102,12 @@ class StudyDetail:
 
         definition = self.definition.to_dict()
 
+        owner: None | str | Unset
+        if isinstance(self.owner, Unset):
+            owner = UNSET
+        else:
+            owner = self.owner
+
         field_dict: dict[str, Any] = {}
         field_dict.update(self.additional_properties)
         field_dict.update(
@@ -119,6 +128,8 @@ class StudyDetail:
                 "definition": definition,
             }
         )
+        if owner is not UNSET:
+            field_dict["owner"] = owner
 
         return field_dict
 
@@ -197,6 +208,15 @@ class StudyDetail:
 
         definition = StudyDetailDefinition.from_dict(d.pop("definition"))
 
+        def _parse_owner(data: object) -> None | str | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            return cast(None | str | Unset, data)
+
+        owner = _parse_owner(d.pop("owner", UNSET))
+
         study_detail = cls(
             id=id,
             name=name,
@@ -212,6 +232,7 @@ class StudyDetail:
             finished_at=finished_at,
             finish=finish,
             definition=definition,
+            owner=owner,
         )
 
         study_detail.additional_properties = d

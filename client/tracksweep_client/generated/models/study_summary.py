@@ -8,6 +8,7 @@ from attrs import define as _attrs_define
 from attrs import field as _attrs_field
 
 from ..models.study_summary_state import StudySummaryState, check_study_summary_state
+from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
     from ..models.case_counts import CaseCounts
@@ -34,6 +35,7 @@ class StudySummary:
         created_at (datetime.datetime):
         started_at (datetime.datetime | None):
         finished_at (datetime.datetime | None):
+        owner (None | str | Unset): Name of the API key that created it; null if that took none.
     """
 
     id: str
@@ -48,6 +50,7 @@ class StudySummary:
     created_at: datetime.datetime
     started_at: datetime.datetime | None
     finished_at: datetime.datetime | None
+    owner: None | str | Unset = UNSET
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
@@ -83,6 +86,12 @@ class StudySummary:
         else:
             finished_at = self.finished_at
 
+        owner: None | str | Unset
+        if isinstance(self.owner, Unset):
+            owner = UNSET
+        else:
+            owner = self.owner
+
         field_dict: dict[str, Any] = {}
         field_dict.update(self.additional_properties)
         field_dict.update(
@@ -101,6 +110,8 @@ class StudySummary:
                 "finished_at": finished_at,
             }
         )
+        if owner is not UNSET:
+            field_dict["owner"] = owner
 
         return field_dict
 
@@ -160,6 +171,15 @@ class StudySummary:
 
         finished_at = _parse_finished_at(d.pop("finished_at"))
 
+        def _parse_owner(data: object) -> None | str | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            return cast(None | str | Unset, data)
+
+        owner = _parse_owner(d.pop("owner", UNSET))
+
         study_summary = cls(
             id=id,
             name=name,
@@ -173,6 +193,7 @@ class StudySummary:
             created_at=created_at,
             started_at=started_at,
             finished_at=finished_at,
+            owner=owner,
         )
 
         study_summary.additional_properties = d
