@@ -29,7 +29,7 @@ ifeq ($(shell test -d "$$HOME" && test -w "$$HOME" && echo yes),)
 export HOME := $(CURDIR)/.home
 endif
 
-.PHONY: help install demo test browser test-slow chaos lint format client generated verify bench bench-programme bench-rolland screenshots serve clean
+.PHONY: help install demo test browser test-slow chaos lint format client generated verify article bench bench-programme bench-rolland screenshots serve clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-16s %s\n", $$1, $$2}' Makefile
@@ -83,6 +83,9 @@ generated: $(INSTALLED)
 
 verify: $(INSTALLED)  ## check the physics and write docs/verification.md
 	@.venv/bin/tracksweep verify
+
+article: $(INSTALLED)  ## compute the article's studies by a service, and write docs/article.md
+	@.venv/bin/tracksweep article
 
 bench: $(INSTALLED)  ## time the solver and the service, and write benchmarks/README.md
 	@$(RUN) benchmarks

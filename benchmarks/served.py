@@ -1,44 +1,24 @@
 """A service on a folder of its own, for as long as a benchmark needs it."""
 
-import os
-import signal
-import subprocess
-import sys
 import tempfile
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from examples.demo import START_TIMEOUT_S, url_of
+from app.serve.own import own_service
 from tracksweep_client import Service
 
 
 @contextmanager
 def served(workers: int, **settings: str) -> Iterator[str]:
     """Serve an empty folder by some workers, with some settings; the service's URL."""
-    with tempfile.TemporaryDirectory(prefix="tracksweep-") as folder:
-        command = [sys.executable, "-m", "worker.cli", "serve", "--data", folder, "--port", "0"]
-        command += ["--workers", str(workers)]
-        environment = {
-            name: value for name, value in os.environ.items() if not name.startswith("TRACKSWEEP_")
-        } | settings
-        log = Path(folder) / "serve.log"
-        with (
-            log.open("w") as output,
-            subprocess.Popen(command, env=environment, stdout=output, stderr=output) as process,  # noqa: S603
-        ):
-            try:
-                deadline = time.monotonic() + START_TIMEOUT_S
-                while (url := url_of(Path(folder), process.pid)) is None:
-                    if process.poll() is not None or time.monotonic() > deadline:
-                        raise SystemExit(f"The service does not start.\n{log.read_text()}")
-                    time.sleep(0.1)
-                yield url
-            finally:
-                process.send_signal(signal.SIGINT)
+    with (
+        tempfile.TemporaryDirectory(prefix="tracksweep-") as folder,
+        own_service(Path(folder), "--workers", str(workers), settings=settings) as url,
+    ):
+        yield url
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,17 +4,13 @@ Run it by ``make demo``. Everything it makes lies in ``demo/``; a second run fin
 """
 
 import json
-import signal
-import subprocess
-import sys
-import time
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from pathlib import Path
 
 from rich.table import Table
 
 from app.console import digits, out, shown_unit
+from app.serve.own import own_service
 from examples.figure import draw
 from tracksweep_client import Service
 from tracksweep_client.generated.models import PeakRow
@@ -22,35 +18,8 @@ from tracksweep_client.generated.models import PeakRow
 STUDY = Path(__file__).parent / "speed_sweep.json"
 DEMO = Path("demo")
 DATA = DEMO / "data"
-START_TIMEOUT_S = 120
 
 Largest = dict[tuple[str, str], dict[float, float]]
-
-
-def url_of(data: Path, pid: int) -> str | None:
-    """Where the service with a process id serves a folder; None before it does."""
-    try:
-        note = json.loads((data / "serve.json").read_text())
-    except FileNotFoundError:
-        return None
-    return str(note["url"]) if note["pid"] == pid else None
-
-
-@contextmanager
-def served(data: Path) -> Iterator[str]:
-    """A service on a free port, for as long as the block runs; its URL."""
-    command = [sys.executable, "-m", "worker.cli", "serve", "--data", str(data), "--port", "0"]
-    log = DEMO / "serve.log"
-    with log.open("w") as output, subprocess.Popen(command, stdout=output, stderr=output) as process:
-        try:
-            deadline = time.monotonic() + START_TIMEOUT_S
-            while (url := url_of(data, process.pid)) is None:
-                if process.poll() is not None or time.monotonic() > deadline:
-                    raise SystemExit(f"The service does not start.\n{log.read_text()}")
-                time.sleep(0.1)
-            yield url
-        finally:
-            process.send_signal(signal.SIGINT)
 
 
 def largest_by_speed(peaks: Iterable[PeakRow]) -> Largest:
@@ -77,7 +46,7 @@ def main() -> None:
     """Run the study of ``speed_sweep.json``."""
     DEMO.mkdir(exist_ok=True)
     print("Starting a service on", DATA)
-    with served(DATA) as url, Service(url) as service:
+    with own_service(DATA) as url, Service(url) as service:
         study = service.submit(json.loads(STUDY.read_text()))
         print(f"Submitted the study “{study.name}” to {url}")
         if study.cases_reused:

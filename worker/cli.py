@@ -51,6 +51,20 @@ def verify(
 
 
 @program.command()
+def article(
+    url: Annotated[str | None, typer.Option(help="A running service; one of its own if not given.")] = None,
+    out: Annotated[Path, typer.Option(metavar="DIR", help="Where to write the report.")] = Path("docs"),
+    rewrite: Annotated[
+        bool, typer.Option("--rewrite", help="Write the report anew from the results kept there.")
+    ] = False,
+) -> None:
+    """Compute the article's studies by a service, and put the results beside the article's numbers."""
+    from worker.article.run import run
+
+    run(out, url, rewrite)
+
+
+@program.command()
 def migrate() -> None:
     """Bring the database to the schema of this release."""
     from sqlalchemy.exc import SQLAlchemyError

@@ -1,0 +1,98 @@
+"""The report, written from results by the template beside this file: every number in it is an expression there."""
+
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from app.console import digits
+from worker.article import outcome, reported, strip, studies
+from worker.article.claims import ALIKE, SLABS, verdicts
+from worker.article.figures import LOOKED_AT, TITLES, label, p2, write_pictures
+from worker.article.hypotheses import AS_DESCRIBED, HYPOTHESES
+from worker.article.results import Results
+
+TEMPLATE = Path(__file__).with_name("report.md.j2")
+
+
+def write_report(folder: Path, results: Results) -> Path:
+    """Write ``article.md`` and its pictures.
+
+    Parameters
+    ----------
+    folder : Path
+        Created if missing.
+    results : Results
+    """
+    write_pictures(folder / "article", results)
+    path = folder / "article.md"
+    path.write_text(render(results))
+    return path
+
+
+def render(results: Results) -> str:
+    """The report as Markdown."""
+    environment = jinja2.Environment(  # noqa: S701 - Markdown, of numbers
+        undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
+    )
+    environment.filters |= {"digits": digits, "percent": percent, "near": near}
+    functions = {
+        name: _bound(getattr(outcome, name), results)
+        for name in ("sample", "single", "under", "residual", "dynamic_ratio", "elasticities", "numerics_errors")
+    }
+    known: dict[str, Any] = {
+        "results": results,
+        "verdicts": verdicts(results),
+        "speeds": outcome.speeds(results),
+        "difference": outcome.joint_differences,
+        "shown": outcome.shown,
+        "unit": outcome.unit_of,
+        "within_reach": within_reach(results),
+    }
+    constants = {
+        name: getattr(module, name)
+        for module in (reported, studies, strip, outcome)
+        for name in dir(module)
+        if name.isupper()
+    }
+    known |= {"HYPOTHESES": HYPOTHESES, "AS_DESCRIBED": AS_DESCRIBED, "SLABS": SLABS, "TITLES": TITLES}
+    known |= {"conclusion": "…", "beyond": "…", "ALIKE": ALIKE, "factor": outcome.factor_of}
+    known |= {"LOOKED_AT": LOOKED_AT, "label": label, "p2": p2(), "parameters": studies.parameters()}
+    return environment.from_string(TEMPLATE.read_text()).render(**constants | functions | known)
+
+
+def _bound(function: Any, results: Results) -> Any:
+    return lambda *arguments: function(results, *arguments)
+
+
+def percent(part: float, places: int = 1) -> str:
+    """A part of one in percent, with its sign."""
+    return f"{100 * part:+.{places}f}".replace("-", "−")
+
+
+def near(part: float) -> str:
+    """The same in whole percent, bold where it is within reach."""
+    text = percent(part, 0)
+    return f"**{text}**" if abs(part) <= outcome.NEAR else text
+
+
+def within_reach(results: Results) -> list[dict[str, Any]]:
+    """Every hypothesis with its targets within reach and its root mean square residuals, by group of targets."""
+    groups = {
+        "joints": reported.JOINT_TARGETS,
+        "displacement": [t for t in reported.TARGETS if t.percentile is not None and t.quantity == "rail_displacement"],
+        "force": [t for t in reported.TARGETS if t.percentile is not None and t.quantity == "wheel_rail_force"],
+    }
+    found = []
+    for hypothesis in HYPOTHESES:
+        row: dict[str, Any] = {"hypothesis": hypothesis}
+        for name, targets in groups.items():
+            residuals = [outcome.residual(results, hypothesis, target) for target in targets]
+            row[name] = {
+                "residuals": dict(zip(targets, residuals, strict=True)),
+                "rms": outcome.rms(residuals),
+                "near": sum(abs(residual) <= outcome.NEAR for residual in residuals),
+                "of": len(residuals),
+            }
+        found.append(row)
+    return found
