@@ -15,6 +15,7 @@ from worker.article.report import write_report
 from worker.article.results import Results
 
 RESULTS = Path("article", "results.json")
+PATIENT = {"TRACKSWEEP_LEASE_S": "600"}  # where nobody else is there to take over, a busy machine is no reason to
 
 
 def run(folder: Path, url: str | None, rewrite: bool) -> None:
@@ -37,7 +38,7 @@ def run(folder: Path, url: str | None, rewrite: bool) -> None:
 def _by_own_service() -> Results:
     with tempfile.TemporaryDirectory(prefix="tracksweep-") as data:
         workers = str(os.cpu_count() or 1)
-        with own_service(Path(data), "--workers", workers, settings={}) as url:
+        with own_service(Path(data), "--workers", workers, settings=PATIENT) as url:
             return _by(url)
 
 
