@@ -6,7 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+# The first has nothing of a browser but what pages need, and shows the first of them in half the time.
+NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 OWN = Path(__file__).parents[2] / ".browsers"  # where Playwright puts its own
 FLAGS = [
     "--no-sandbox",
@@ -22,18 +23,16 @@ FLAGS = [
 def find() -> str | None:
     """The path of a Chromium, or None."""
     found = filter(None, map(shutil.which, NAMES))
-    return next(found, None) or next((str(path) for path in OWN.glob("chromium-*/chrome-*/chrome")), None)
+    return next(found, None) or next(map(str, OWN.glob("chromium_headless_shell-*/*/*headless*shell")), None)
 
 
 def install() -> None:
     """By Debian's packages or, where that cannot be, by Playwright."""
     root = [] if os.geteuid() == 0 else ["sudo", "-n"]
     apt = [*root, "apt-get", "-qq", "-o", "Dpkg::Use-Pty=0"]
-    own = [sys.executable, "-m", "playwright", "install", "chromium"]
-    ways = [
-        [[*apt, "update"], [*apt, "install", "-y", "--no-install-recommends", "chromium", "fonts-liberation"]],
-        [own],
-    ]
+    own = [sys.executable, "-m", "playwright", "install", "--only-shell", "chromium"]
+    packages = ["chromium-headless-shell", "fonts-liberation"]
+    ways = [[[*apt, "update"], [*apt, "install", "-y", "--no-install-recommends", *packages]], [own]]
     for commands in ways:
         if all(_done(command) for command in commands) and find():
             return

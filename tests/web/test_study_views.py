@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.e2e.conftest import Served, served, study, tracksweep
-from tests.web.conftest import check_accessibility, opened
+from tests.e2e.conftest import SMALL, Served, served, study, tracksweep
+from tests.web.conftest import check_accessibility, new_context, opened
 
 QUERY = {"quantity": "wheel_rail_force", "position": "wheelset_1"}
 
@@ -124,8 +124,17 @@ def test_the_requests_it_shows_give_what_it_shows(page: Page, ended: str, servic
     assert names["answer"].to_dict() == peaks  # type: ignore[attr-defined]
 
 
-def test_a_study_is_found_cancelled_retried_and_deleted(page: Page, service: Served) -> None:
-    study_id = service.submit(sweep("Never mind", *range(200, 300)))
+@pytest.fixture
+def unwanted(service: Served) -> Iterator[str]:
+    """A study that takes long, whose worker is set free whatever becomes of it."""
+    body = sweep("Never mind", 200, slabs=("continuous",))
+    study_id = service.submit(body | {"numerics": SMALL | {"window_s": 30}})
+    yield study_id
+    service.http.post(f"/v1/studies/{study_id}/cancel")
+
+
+def test_a_study_is_found_cancelled_retried_and_deleted(page: Page, unwanted: str, service: Served) -> None:
+    study_id = unwanted
     page.goto("/")
     page.get_by_label("Name contains").fill("never")
     row = page.locator(f"#study-{study_id}")
@@ -148,7 +157,7 @@ def test_a_study_is_found_cancelled_retried_and_deleted(page: Page, service: Ser
 
 def test_names_are_text_and_nothing_else(page: Page, service: Served) -> None:
     name = """<img src=x onerror="document.title='taken'"> & <script>'`${1}"""
-    study_id = service.submit(sweep(name, 250) | {"labels": {name[:60]: name}})
+    study_id = service.submit(sweep(name, 250, slabs=("continuous",)) | {"labels": {name[:60]: name}})
     for view, place in (("/", f"#study-{study_id} .name"), (f"/studies/{study_id}", "#name"), ("/compare", "#studies")):
         page.goto(view)
         expect(page.locator(place)).to_contain_text(name)
@@ -181,16 +190,17 @@ def test_the_queue_tells_who_works(page: Page, service: Served) -> None:
 
 
 def test_no_view_stands_in_the_way_of_anybody(page: Page, ended: str, another: str) -> None:
-    for view in (f"studies/{ended}", f"compare?study={ended}&study={another}"):
+    comparison = f"compare?study={ended}&study={another}"
+    for view, table in (("", "#list"), (f"studies/{ended}", "#table"), (comparison, "#table")):
         page.goto(f"/{view}")
-        expect(page.locator("#table tbody tr").first).to_be_visible()
+        expect(page.locator(f"{table} tbody tr").first).to_be_visible()
         page.get_by_text("The request behind this").click()
         check_accessibility(page)
 
 
 def test_a_key_is_asked_for_and_kept_in_the_tab(browser: Browser, guarded: tuple[Served, str]) -> None:
     service, secret = guarded
-    with opened(browser, service) as page:
+    with opened(new_context(browser, service)) as page:
         page.goto("/")
         expect(page.get_by_role("heading", name="API key")).to_be_visible()
         page.get_by_label("Key, as").fill("ts_wrong")
