@@ -55,7 +55,13 @@ class Served:
             command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL
         )
         self.supervisor = psutil.Process(self.process.pid)
-        self.http = httpx.Client(base_url=self._url(), timeout=30, trust_env=False)
+        try:
+            url = self._url()
+        except BaseException:
+            self.process.kill()
+            self.process.communicate()
+            raise
+        self.http = httpx.Client(base_url=url, timeout=30, trust_env=False)
 
     def _url(self) -> str:
         def note() -> dict[str, Any] | None:
@@ -64,7 +70,7 @@ class Served:
             found = json.loads(path.read_text()) if path.exists() else {}
             return found if found.get("pid") == self.process.pid else None
 
-        return str(until(note)["url"])
+        return str(until(note, 240)["url"])
 
     def parts(self, word: str) -> list[psutil.Process]:
         """The parts whose command has a word, such as ``worker`` or ``api``."""
