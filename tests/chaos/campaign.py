@@ -21,7 +21,7 @@ from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, u
 
 CLIENTS, WORKERS = 4, 2
 PAUSE_S = 1.2  # between two faults, on average
-CASES_PER_FAULT = 20  # or there is no telling what part of the work is done twice, least of all on a slow machine
+CASES_PER_FAULT = 25  # or there is no telling what part of the work is done twice, least of all on a slow machine
 PATIENCE_S = 120.0  # until a worker is there again
 STANDSTILL_S = 20.0
 HIT_S = 60.0  # until there is something for a fault to hit

@@ -56,6 +56,7 @@ def prepare_clock() -> None:
     if not file.exists():
         file.write_text("+0")
     options = {"FAKETIME_CACHE_DURATION": "1", "FAKETIME_DONT_FAKE_MONOTONIC": "1", "NO_FAKE_STAT": "1"}
+    options["FAKETIME_FORCE_MONOTONIC_FIX"] = "0"  # or threads that wait for Python's lock spin, and all takes thrice
     clock = {"LD_PRELOAD": library, "FAKETIME_TIMESTAMP_FILE": str(file)} | options
     os.execve(sys.executable, sys.orig_argv, os.environ | clock)
 
