@@ -57,7 +57,7 @@ def _create(context: Context, request: StudyRequest, key: str | None, caller: Ca
             idempotency.hold(session, key)
         queue.one_at_a_time(session)
         if key is not None and (answer := idempotency.recall(session, key, digest)) is not None:
-            return StudyDetail.model_validate(answer)
+            return StudyDetail.model_validate({"owner": None} | answer)  # the version before knew of no owners
         study = get(session, _store(session, request, rows, caller))
         profiles.hold(session, study.id, profiles.used_by(cases))
         if key is not None:

@@ -224,5 +224,6 @@ def test_what_failed_is_told_with_its_reason(page: Page, service: Served) -> Non
     page.goto(f"/studies/{study_id}")
     expect(page.locator("#failures-table tbody tr")).to_have_count(1)
     (row,) = rows(page, "#failures-table")
+    expect(page.locator("#failures-title")).to_have_text("1 case failed")
     assert (row["case"], row["why"]) == (str(case["id"]), f"{case['error']['code']} {case['error']['detail']}")
     check_accessibility(page)

@@ -86,11 +86,12 @@ const differences = () => showDifferences(path, panel);
 const failed = async () => {
   $("failures").hidden = !study.cases.failed;
   if (!study.cases.failed) return;
-  const { items } = await get(`${path}/cases`, { state: "failed" });
+  const { items, complete } = await all(`${path}/cases`, { state: "failed" }, MOST_ROWS);
+  $("failures-title").textContent = complete ? `${count(items.length)} ${items.length === 1 ? "case" : "cases"} failed` : `The first ${count(MOST_ROWS)} cases that failed`;
   const column = (key, label, text, number = false) => ({ key, label, number, value: (row) => row[key], text });
   failures.show([
     column("id", "case", (row) => html`<a href="${address(`/cases/${row.id}`)}">${row.id}</a>`, true),
-    column("speed_kmh", "speed, km/h", (row) => given(row.speed_kmh), true),
+    { ...column("speed_kmh", "speed", (row) => given(row.speed_kmh), true), unit: "km/h" },
     column("slab", "slab", (row) => row.slab),
     column("attempt", "attempts", (row) => row.attempt, true),
     column("error", "why", (row) => html`<code>${row.error.code}</code> ${row.error.detail}`),
