@@ -9,7 +9,7 @@ import httpx
 import pytest
 from sqlalchemy import func, select
 
-from app.db.models import Case, Event, Study
+from app.db.models import Case, Event, IdempotencyKey, Study
 from app.db.session import Database
 from app.settings import Settings
 from worker import lease, presence
@@ -167,6 +167,17 @@ def test_idempotency(client: httpx.Client, database: Database, study: dict[str, 
     other = client.post("/v1/studies", json=study | {"name": "Another"}, headers=headers)
     assert problem(other, 422)["errors"][0]["code"] == "idempotency-key-reused"
     problem(client.post("/v1/studies", json=study, headers={"Idempotency-Key": "x" * 256}), 422)
+
+
+def test_answers_of_the_version_before_are_recalled(
+    client: httpx.Client, database: Database, study: dict[str, Any]
+) -> None:
+    headers = {"Idempotency-Key": "before"}
+    first = client.post("/v1/studies", json=study, headers=headers)
+    with database.write() as session:
+        remembered = session.scalars(select(IdempotencyKey)).one()
+        remembered.response = {name: value for name, value in remembered.response.items() if name != "owner"}
+    assert client.post("/v1/studies", json=study, headers=headers).json() == first.json()
 
 
 def test_conditional_get(client: httpx.Client, database: Database, study: dict[str, Any]) -> None:
