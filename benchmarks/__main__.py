@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-QUICK = ("contenders", "growth", "floor", "choices", "memory", "service", "load", "large", "peaks")
+QUICK = ("contenders", "growth", "floor", "choices", "memory", "service", "load", "page", "large", "peaks")
 
 for name in QUICK:  # each in a process of its own: what one leaves in memory slows no other
     print(f"\n{name}", flush=True)

@@ -13,7 +13,7 @@ from solver.verification.report import write_picture
 
 ORDER = (
     *("contenders", "growth", "floor", "choices", "memory", "service"),
-    *("load", "large", "programme", "rolland_peer", "peaks"),
+    *("load", "page", "large", "programme", "rolland_peer", "peaks"),
 )
 
 HEADER = """# Benchmarks

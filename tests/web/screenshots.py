@@ -4,7 +4,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, expect, sync_playwright
 
 from tests.e2e.conftest import Served, served, study
 from tests.web.browser import FLAGS, find
@@ -41,7 +41,7 @@ def _look(browser: Browser, service: Served, views: dict[str, str]) -> None:
         for scheme in ("light", "dark"):
             page = browser.new_page(base_url=str(service.http.base_url), viewport=SIZE, color_scheme=scheme)  # type: ignore[arg-type]
             page.goto(address)
-            page.wait_for_function("!document.querySelector('[aria-busy=true]')")
+            expect(page.locator("[aria-busy=true]")).to_have_count(0)
             page.wait_for_timeout(6000)  # whatever is fetched after that is there
             page.screenshot(path=FOLDER / f"{name}-{scheme}.png")
             page.close()
