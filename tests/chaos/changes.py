@@ -1,18 +1,19 @@
 """Every change of state that was committed: triggers write it down in the transaction that makes it."""
 
-from collections.abc import Iterator
 from contextlib import suppress
 from threading import Event, Thread
 from typing import Any
 
-from sqlalchemy import text
+from sqlalchemy import bindparam, text
 from sqlalchemy.exc import SQLAlchemyError
 
 from app.db.session import Database, create_engine_for
 from tests.chaos.record import Record
 
 COLUMNS = ("what", "study_id", "case_id", "was", "now", "attempt", "worker", "was_token", "token", "detail")
-LATE = 100  # rows: on PostgreSQL one may become visible after those that were numbered later
+NEW = text("SELECT * FROM chaos_change WHERE n > :highest OR n IN :missing ORDER BY n").bindparams(
+    bindparam("missing", expanding=True)
+)
 
 CASE = {
     "case_id": "NEW.id",
@@ -78,8 +79,8 @@ class Follower:
     def __init__(self, url: str, record: Record) -> None:
         self.database = Database(url)
         self._record = record
-        self._seen: set[int] = set()
         self._highest = 0
+        self._missing: set[int] = set()  # on PostgreSQL a row may become visible after those that were numbered later
         self._over = Event()
         self._thread = Thread(target=self._run, name="follower")
         self.holders: dict[int, str] = {}  # worker by case
@@ -99,9 +100,9 @@ class Follower:
         self._copy()
 
     def _copy(self) -> None:
-        rows = list(self._new())
-        for row in rows:
-            self._seen.add(row["n"])
+        for row in self._new():
+            self._missing.update(range(self._highest + 1, row["n"]))
+            self._missing.discard(row["n"])
             self._highest = max(self._highest, row["n"])
             self._record.write("change", **{name: value for name, value in row.items() if value is not None})
             if row["what"] == "sweep":
@@ -112,9 +113,7 @@ class Follower:
                 self.holders.pop(row["case_id"], None)
                 self.succeeded += row["now"] == "succeeded"
 
-    def _new(self) -> Iterator[dict[str, Any]]:
-        later = text("SELECT * FROM chaos_change WHERE n > :n ORDER BY n")
+    def _new(self) -> list[dict[str, Any]]:
         with self.database.read() as session:
-            for row in session.execute(later, {"n": self._highest - LATE}).mappings():
-                if row["n"] not in self._seen:
-                    yield dict(row)
+            rows = session.execute(NEW, {"highest": self._highest, "missing": list(self._missing)})
+            return [dict(row) for row in rows.mappings()]

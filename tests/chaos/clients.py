@@ -83,7 +83,7 @@ class Client(Thread):
             }
             self._sweeps.append(sweep)
         numerics = NUMERICS | {"window_s": self._rng.choice(WINDOWS_S)}
-        body = {"name": name, "sweep": sweep, "numerics": numerics, "keep_history": self._rng.random() < 0.6}
+        body = {"name": name, "sweep": sweep, "numerics": numerics, "keep_history": self._rng.random() < 0.3}
         return body | (HOPELESS if self._rng.random() < 0.03 else {})
 
     def _fetch_history(self, path: str) -> None:

@@ -18,7 +18,7 @@ from tests.e2e.conftest import Served, gone, served, until
 
 INSIDE = Path(__file__).parent / "inside"
 ROOT = Path(__file__).parents[2]
-DISK_MB = 256
+DISK_MB = 1024
 LEASE_S = 2.0
 SWEEP_S = LEASE_S / 3  # the pause between two sweeps of one worker
 MAX_ATTEMPTS = 6
