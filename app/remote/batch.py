@@ -11,6 +11,8 @@ from tracksweep_client.generated.api.histories import get_history
 from tracksweep_client.generated.api.irregularities import preview_irregularity
 from tracksweep_client.generated.models import HistoryView, IrregularityPreview, PreviewRequest
 
+DIVERGED = "diverged"
+
 __all__ = ["BatchError", "Service", "computed", "heights", "history", "peaks"]
 
 
@@ -19,17 +21,18 @@ class BatchError(Exception):
 
 
 def computed(service: Service, studies: Mapping[str, Mapping[str, Any]]) -> Iterator[tuple[str, str]]:
-    """Names and ids of studies, each when it has ended.
+    """Names and ids of studies, each when it has ended. Cases without a finite answer are left out of their peaks.
 
     Raises
     ------
     BatchError
-        If one did not succeed.
+        If one failed for another reason.
     """
     ids = {name: service.submit(study).id for name, study in studies.items()}
     for name, study_id in ids.items():
         ended = service.wait(study_id, progress=False)
-        if ended.state != "succeeded":
+        failed = list(service.cases(study_id, state="failed")) if ended.cases.failed else []
+        if ended.cases.cancelled or any(not case.error or case.error.code != DIVERGED for case in failed):
             raise BatchError(f"The study “{name}” ended as {ended.state}.")
         yield name, study_id
 

@@ -12,9 +12,10 @@ from matplotlib.figure import Figure
 from app.studies.resonance import p2_hz
 from solver.catalogue import TRACKS, VEHICLES
 from worker.article.claims import PEAKS, SLABS
+from worker.article.conclusion import GROUPS
 from worker.article.hypotheses import HYPOTHESES
 from worker.article.outcome import elasticities, residual, sample, shown, speeds, unit_of
-from worker.article.reported import BANDS_M, PERCENTILES, SPEEDS_KMH, TABLE_1_TARGETS, TABLE_2_TARGETS, TARGETS
+from worker.article.reported import BANDS_M, PERCENTILES, SPEEDS_KMH, TABLE_1_TARGETS, TABLE_2_TARGETS
 from worker.article.results import Results
 from worker.article.studies import WAVELENGTHS_M, parameters
 
@@ -115,8 +116,7 @@ def ensembles(results: Results) -> Figure:
             axes.plot(place + scatter.uniform(-0.25, 0.25, len(values)), values, ".", color=BLUE, markersize=3)
             axes.plot([place - 0.35, place + 0.35], 2 * [values.mean()], color=INK, linewidth=2)
             axes.plot(place, target.value, "D", color=ORANGE, markersize=6)
-        names = [f"{t.percentile:g} %" if t.where == "Table 1" else f"{t.shortest_m:g}–30 m" for t in targets]
-        axes.set_xticks(range(len(targets)), names, rotation=45)
+        axes.set_xticks(range(len(targets)), [target.short for target in targets], rotation=45)
         axes.set_title(f"{label(column)} — Table 1 | Table 2")
         axes.axvline(2.5, color=INK, linewidth=0.5)
     dots = [axes.plot([], [], style, color=colour)[0] for style, colour in ((".", BLUE), ("-", INK), ("D", ORANGE))]
@@ -129,7 +129,8 @@ def _matrix(axes: Axes, values: np.ndarray[Any, Any], rows: Sequence[str], colum
     axes.set_xticks(range(len(columns)), columns, rotation=90)
     axes.set_yticks(range(len(rows)), rows)
     axes.grid(visible=False)
-    for (row, column), value in np.ndenumerate(values):
+    for row, column in np.argwhere(np.isfinite(values)):
+        value = values[row, column]
         colour = "white" if abs(value) > 0.75 * most else INK
         axes.text(
             column,
@@ -146,8 +147,10 @@ def _matrix(axes: Axes, values: np.ndarray[Any, Any], rows: Sequence[str], colum
 def hypotheses(results: Results) -> Figure:
     """Residuals of every hypothesis, percent."""
     figure, axes = _figure(1, 1, (10, 7))
-    values = np.array([[100 * residual(results, each, target) for target in TARGETS] for each in HYPOTHESES])
-    columns = [f"{TITLES[t.quantity]}, {t.condition}" for t in TARGETS]
+    targets = [target for group in GROUPS.values() for target in group]
+    found = [[residual(results, each, target) for target in targets] for each in HYPOTHESES]
+    values = 100 * np.array(found, float)  # where a run diverged, not a number
+    columns = [f"{TITLES[t.quantity]}, {t.short}" for t in targets]
     image = _matrix(axes, values, [each.name for each in HYPOTHESES], columns, 50.0)
     figure.colorbar(image, label="ours less the article's, %", shrink=0.5, extend="both")
     return figure

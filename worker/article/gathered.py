@@ -3,7 +3,7 @@
 import os
 import platform
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from importlib.metadata import version
 from multiprocessing import get_context
@@ -14,7 +14,7 @@ from solver.version import SOLVER_VERSION
 from worker.article import strip
 from worker.article.reported import LONGEST_M, PERCENTILES, TABLE_1_BAND_M
 from worker.article.results import Cases, Curve, Results
-from worker.article.studies import studies
+from worker.article.studies import Study
 
 SHOWN_S, SHOWN_M = 0.5, 60.0  # of histories and of profiles
 SHOWN = ("rail_displacement", "wheel_rail_force")
@@ -23,17 +23,21 @@ COMMAND = "tracksweep article"
 Tell = Callable[[float, str], None]  # part done, and what was done last
 
 
-def gather(url: str, tell: Tell) -> Results:
-    """Compute everything.
+def gather(url: str, wanted: Mapping[str, Study], trials: Sequence[strip.Trial], tell: Tell) -> Results:
+    """Compute studies by a service, and what is apart from it.
 
     Parameters
     ----------
     url : str
         Of the service.
+    wanted : mapping of str to dict
+        Studies by name.
+    trials : sequence
+        Experiments with strips.
     tell : callable
         Called with the part done and what that was.
     """
-    began, wanted, cases = time.monotonic(), studies(), {}
+    began, cases = time.monotonic(), {}
     with batch.Service(url) as service:
         for done, (name, study_id) in enumerate(batch.computed(service, wanted), 1):
             cases[name] = Cases.from_rows(batch.peaks(service, study_id))
@@ -43,7 +47,7 @@ def gather(url: str, tell: Tell) -> Results:
     served = time.monotonic() - began
     # Fresh processes: a fork would share what Numba and BLAS hold.
     with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:
-        apart = list(pool.map(strip.experiment, strip.PLAN))
+        apart = list(pool.map(strip.experiment, trials))
     made = {"seconds": time.monotonic() - began, "seconds_served": served, **_software()}
     return Results(made=made, cases=cases, profiles=profiles, histories=histories, strip=apart)
 

@@ -11,7 +11,7 @@ from app.console import shown_unit
 from solver.arrays import Array
 from solver.observables import OBSERVABLES
 from worker.article.hypotheses import AS_DESCRIBED, Hypothesis
-from worker.article.reported import MEAN_DISPLACEMENT_MM, MEAN_FORCE_KN, Target
+from worker.article.reported import MEAN_DISPLACEMENT_MM, MEAN_FORCE_KN, SPEEDS_KMH, Target
 from worker.article.results import PEAKS, Cases, Results
 from worker.article.studies import CHANGE, CONDITIONS
 
@@ -104,24 +104,38 @@ def speeds(results: Results) -> Cases:
     return Cases({name: np.concatenate([columns[name] for columns in both]) for name in both[0]})
 
 
-def under(results: Results, hypothesis: Hypothesis, target: Target) -> float:
-    """A target under a hypothesis.
+def under(results: Results, hypothesis: Hypothesis, target: Target) -> float | None:
+    """A target under a hypothesis; nothing if a run diverged.
 
     Of random irregularities, the ratio to as described is taken of the few realisations that were computed for both,
     and multiplied by the mean of all realisations as described.
     """
     if target.percentile is None:
-        return float(joint_differences(results.cases[f"waves, {hypothesis.name}"], target.quantity).mean())
+        cases = results.cases[f"waves, {hypothesis.name}"]
+        complete = len(cases) == 2 * len(SPEEDS_KMH)
+        return float(joint_differences(cases, target.quantity).mean()) if complete else None
     few, plain = (
-        shown(of_target(results.cases[f"random, {each.name}"], target), target.quantity).mean()
+        shown(of_target(results.cases[f"random, {each.name}"], target), target.quantity)
         for each in (hypothesis, AS_DESCRIBED)
     )
-    return float(sample(results, target).mean * few / plain)
+    return float(sample(results, target).mean * few.mean() / plain.mean()) if len(few) == len(plain) else None
 
 
-def residual(results: Results, hypothesis: Hypothesis, target: Target) -> float:
-    """Under a hypothesis less the article's, per the article's."""
-    return under(results, hypothesis, target) / target.value - 1
+def strip_adds(results: Results, width: float | str, quantity: str) -> float | None:
+    """What strips of a width add to a peak, averaged over the speeds; nothing if a run diverged."""
+    trials = [trial for trial in results.strip if trial["width_m"] == width]
+    if not all(trial["peaks"] for trial in trials):
+        return None
+    continuous = results.cases[f"waves, {AS_DESCRIBED.name}"].where(slab="continuous")
+    expected = [shown(continuous.where(speed_kmh=trial["speed_kmh"]), quantity)[0] for trial in trials]
+    ours = [factor_of(quantity) * trial["peaks"][quantity] for trial in trials]
+    return float(np.mean(ours) - np.mean(expected))
+
+
+def residual(results: Results, hypothesis: Hypothesis, target: Target) -> float | None:
+    """Under a hypothesis less the article's, per the article's; nothing if a run diverged."""
+    found = under(results, hypothesis, target)
+    return None if found is None else found / target.value - 1
 
 
 def dynamic_ratio(results: Results, target: Target) -> float:

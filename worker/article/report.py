@@ -6,7 +6,7 @@ from typing import Any
 import jinja2
 
 from app.console import digits
-from worker.article import outcome, reported, strip, studies
+from worker.article import conclusion, outcome, reported, strip, studies
 from worker.article.claims import ALIKE, SLABS, verdicts
 from worker.article.figures import LOOKED_AT, TITLES, label, p2, write_pictures
 from worker.article.hypotheses import AS_DESCRIBED, HYPOTHESES
@@ -47,16 +47,15 @@ def render(results: Results) -> str:
         "difference": outcome.joint_differences,
         "shown": outcome.shown,
         "unit": outcome.unit_of,
-        "within_reach": within_reach(results),
     }
     constants = {
         name: getattr(module, name)
-        for module in (reported, studies, strip, outcome)
+        for module in (reported, studies, strip, outcome, conclusion)
         for name in dir(module)
         if name.isupper()
     }
     known |= {"HYPOTHESES": HYPOTHESES, "AS_DESCRIBED": AS_DESCRIBED, "SLABS": SLABS, "TITLES": TITLES}
-    known |= {"conclusion": "…", "beyond": "…", "ALIKE": ALIKE, "factor": outcome.factor_of}
+    known |= conclusion.facts(results, known["verdicts"]) | {"ALIKE": ALIKE, "factor": outcome.factor_of}
     known |= {"LOOKED_AT": LOOKED_AT, "label": label, "p2": p2(), "parameters": studies.parameters()}
     return environment.from_string(TEMPLATE.read_text()).render(**constants | functions | known)
 
@@ -70,29 +69,9 @@ def percent(part: float, places: int = 1) -> str:
     return f"{100 * part:+.{places}f}".replace("-", "−")
 
 
-def near(part: float) -> str:
+def near(part: float | None) -> str:
     """The same in whole percent, bold where it is within reach."""
+    if part is None:
+        return "diverges"
     text = percent(part, 0)
     return f"**{text}**" if abs(part) <= outcome.NEAR else text
-
-
-def within_reach(results: Results) -> list[dict[str, Any]]:
-    """Every hypothesis with its targets within reach and its root mean square residuals, by group of targets."""
-    groups = {
-        "joints": reported.JOINT_TARGETS,
-        "displacement": [t for t in reported.TARGETS if t.percentile is not None and t.quantity == "rail_displacement"],
-        "force": [t for t in reported.TARGETS if t.percentile is not None and t.quantity == "wheel_rail_force"],
-    }
-    found = []
-    for hypothesis in HYPOTHESES:
-        row: dict[str, Any] = {"hypothesis": hypothesis}
-        for name, targets in groups.items():
-            residuals = [outcome.residual(results, hypothesis, target) for target in targets]
-            row[name] = {
-                "residuals": dict(zip(targets, residuals, strict=True)),
-                "rms": outcome.rms(residuals),
-                "near": sum(abs(residual) <= outcome.NEAR for residual in residuals),
-                "of": len(residuals),
-            }
-        found.append(row)
-    return found

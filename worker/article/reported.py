@@ -48,6 +48,13 @@ class Target:
     shortest_m: float | None = None
 
     @property
+    def short(self) -> str:
+        """What distinguishes it from others of its table."""
+        if self.percentile is None:
+            return "joints"
+        return f"{self.percentile:g} %" if self.where == "Table 1" else f"{self.shortest_m:g}–{LONGEST_M:g} m"
+
+    @property
     def condition(self) -> str:
         """Of what it is, in short."""
         if self.percentile is None:

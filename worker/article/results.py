@@ -56,7 +56,7 @@ class Cases:
             for name, statistic in wanted.get((row["quantity"], row["position"]), []):
                 case[name] = float(f"{float(row[statistic]):.{DIGITS}g}")
         ordered = [{"case_id": case_id} | case for case_id, case in sorted(cases.items())]
-        return cls({name: [case[name] for case in ordered] for name in ordered[0]})
+        return cls({name: [case[name] for case in ordered] for name in ordered[0]} if ordered else {"case_id": []})
 
     def __len__(self) -> int:
         return len(self.columns["case_id"])

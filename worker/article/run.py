@@ -10,9 +10,11 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from app.console import FAILED, WRONG_USAGE, err, fail, out
 from app.remote.batch import BatchError
 from app.serve.own import own_service
+from worker.article import strip
 from worker.article.gathered import gather
 from worker.article.report import write_report
 from worker.article.results import Results
+from worker.article.studies import studies
 
 RESULTS = Path("article", "results.json")
 PATIENT = {"TRACKSWEEP_LEASE_S": "600"}  # where nobody else is there to take over, a busy machine is no reason to
@@ -46,4 +48,6 @@ def _by(url: str) -> Results:
     columns = BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn()
     with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as progress:
         task = progress.add_task("studies", total=1.0)
-        return gather(url, lambda done, what: progress.update(task, completed=done, description=what))
+        return gather(
+            url, studies(), strip.PLAN, lambda done, what: progress.update(task, completed=done, description=what)
+        )

@@ -31,8 +31,9 @@ OPEN_M = 20.0  # of track at each end without strips
 LIMIT_M = 0.1  # of rail displacement beyond which a run has diverged
 ELEMENT = "whole element"
 NARROW_M = 0.05
+Trial = tuple[float | str, float]  # width of the strips, m, and speed, km/h
 # A track without strips, which the solver must agree with, and both readings of the article.
-PLAN: tuple[tuple[float | str, float], ...] = (
+PLAN: tuple[Trial, ...] = (
     (0.0, SPEEDS_KMH[-1]),
     *((width, speed_kmh) for width in (NARROW_M, ELEMENT) for speed_kmh in SPEEDS_KMH),
 )
@@ -40,7 +41,7 @@ _POINTS, _WEIGHTS = leggauss(4)
 MEASURES = ("wheel_rail_force", "rail_displacement", "rail_acceleration", "slab_acceleration", "base_acceleration")
 
 
-def experiment(trial: tuple[float | str, float]) -> dict[str, Any]:
+def experiment(trial: Trial) -> dict[str, Any]:
     """Peaks over the article's wave at a speed (km/h), joints as strips of a width (m); 0 for no joints."""
     width, speed_kmh = trial
     case = Case(
