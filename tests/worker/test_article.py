@@ -20,12 +20,10 @@ from solver.verification.problems import make_case, solved
 from worker.article import strip
 from worker.article.figures import PICTURES
 from worker.article.outcome import Sample, elasticities, joint_differences
-from worker.article.report import render, write_report
+from worker.article.report import write_report
 from worker.article.reported import TABLE_1_TARGETS, TABLE_2_TARGETS
 from worker.article.results import CONDITIONS, PEAKS, Cases, Results
 from worker.article.studies import PRESETS, studies
-
-DOCS = Path(__file__).parents[2] / "docs"
 
 
 def made_up(number: int, case: Case, paths: list[str]) -> dict[str, object]:
@@ -80,10 +78,6 @@ def test_a_report_is_written_with_its_pictures(tmp_path: Path) -> None:
     assert len(re.findall(r"^\| Table [12], ", text, re.MULTILINE)) == len(TABLE_1_TARGETS + TABLE_2_TARGETS)
     write_report(tmp_path, fantasy())
     assert {path.name: path.read_bytes() for path in (tmp_path / "article").iterdir()} == pictures
-
-
-def test_the_committed_report_comes_from_the_committed_results() -> None:
-    assert render(Results.read(DOCS / "article/results.json")) == (DOCS / "article.md").read_text()
 
 
 def test_every_study_is_one() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from worker.article import outcome, strip
-from worker.article.claims import Verdict
+from worker.article.claims import FALL_BY_BAND, GROW, GROW_BY_PERCENTILE, HOLDS, Verdict
 from worker.article.hypotheses import AS_DESCRIBED, HYPOTHESES, PER_RAD, Hypothesis
 from worker.article.reported import JOINT_TARGETS, SPEEDS_KMH, TARGETS, Target
 from worker.article.results import Results
@@ -83,6 +83,24 @@ def facts(results: Results, verdicts: list[Verdict]) -> dict[str, Any]:
         "map": _of_map(results),
         "strongest": {column: _strongest(results, column) for column in ("wheel_rail_force", "rail_displacement")},
     }
+
+
+def unfounded(known: dict[str, Any], p2_hz: float) -> list[str]:
+    """What the report's words take for granted and other numbers would not bear out."""
+    wave_on_p2 = 3.6 * p2_hz
+    words = {verdict.claim: verdict.words for verdict in known["verdicts"]}
+    premises = {
+        "peaks do not grow at every step of speed": words[GROW] != HOLDS,
+        "the force is largest near where the wave meets P2": abs(
+            known["highest"]["continuous"]["speed"] / wave_on_p2 - 1
+        )
+        < 0.1,
+        "that is between two of the article's speeds": known["highest"]["continuous"]["speed"] not in SPEEDS_KMH,
+        "random peaks are ordered as in the article": words[GROW_BY_PERCENTILE] == words[FALL_BY_BAND] == HOLDS,
+        "chance does not explain the article's values": 2 * len(known["above_all"]) > len(RANDOM_TARGETS),
+        "the spectrum per rad/m brings forces nearer": known["per_rad"]["force"].rms < known["plain"]["force"].rms,
+    }
+    return [premise for premise, holds in premises.items() if not holds]
 
 
 def _highest(results: Results) -> dict[str, dict[str, float]]:

@@ -57,6 +57,7 @@ def render(results: Results) -> str:
     known |= {"HYPOTHESES": HYPOTHESES, "AS_DESCRIBED": AS_DESCRIBED, "SLABS": SLABS, "TITLES": TITLES}
     known |= conclusion.facts(results, known["verdicts"]) | {"ALIKE": ALIKE, "factor": outcome.factor_of}
     known |= {"LOOKED_AT": LOOKED_AT, "label": label, "p2": p2(), "parameters": studies.parameters()}
+    known["unfounded"] = conclusion.unfounded(known, known["p2"])
     return environment.from_string(TEMPLATE.read_text()).render(**constants | functions | known)
 
 
