@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import product
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -74,12 +75,9 @@ def page(context: BrowserContext) -> Iterator[Page]:
 
 
 def check_accessibility(page: Page) -> None:
-    """Nothing serious by axe-core's rules, light on a telephone and dark on a desk; nothing beside the window.
-
-    What the rules look at depends on width, contrasts on colours: no need for all four.
-    """
+    """Nothing serious by axe-core's rules, light and dark, on a telephone and on a desk; nothing beside the window."""
     page.evaluate(AXE)  # past the page's policy, which lets in no script of others
-    for width, scheme in ((NARROW, "light"), (WIDE, "dark")):
+    for width, scheme in product((NARROW, WIDE), ("light", "dark")):
         page.set_viewport_size({"width": width, "height": 900})
         page.emulate_media(color_scheme=scheme)  # type: ignore[arg-type]
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"wider than {width} px"

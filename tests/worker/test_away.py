@@ -140,7 +140,7 @@ def test_the_broker_is_away(context: Context, submit: Submit, worker: subprocess
     until(lambda: look(context, running).progress > 0)
     context.doorbell.ring()
     until(lambda: look(context, running).progress > 0.5)
-    assert broker.bells() >= 1  # left for an idle worker; the sweeper may have rung as well
+    assert broker.bells() in (1, 2)  # for an idle worker: two if the sweeper rang at the same instant
     broker.kill()
     gone = time.time()
     until(lambda: look(context, running).state == "succeeded")
