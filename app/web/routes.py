@@ -4,12 +4,13 @@ Every address in it is relative, so that a proxy may add a path before.
 """
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Mapping
 from functools import partial
+from mimetypes import guess_type
 from pathlib import Path
 
 from fastapi import FastAPI
-from fastapi.responses import FileResponse, HTMLResponse
+from fastapi.responses import HTMLResponse, Response
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from app.pages import add
@@ -41,20 +42,24 @@ PAGES = {
 
 
 def add_web(app: FastAPI) -> None:
-    """Serve the page, made once, and its files, below an address that is another one when they are."""
-    files = sorted(file for file in STATIC.rglob("*") if file.is_file())
+    """Serve the page, made once, and its files, below an address that is another one when they are.
+
+    All of it is in memory: to look for a file takes several turns of a thread, and a view has twenty files.
+    """
+    files = {file: file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()}
     static = f"static/{_digest(files)}"
-    for file in files:
+    for file, content in files.items():
         address = f"/{static}/{file.relative_to(STATIC).as_posix()}"
-        add(app, address, partial(FileResponse, file, headers={"Cache-Control": FOR_EVER}))
+        media_type = guess_type(file.name)[0] or "text/plain"
+        add(app, address, partial(Response, content, media_type=media_type, headers={"Cache-Control": FOR_EVER}))
     for path, name in PAGES.items():
         root = "../" * (path.count("/") - 1)
         html = TEMPLATES.get_template(f"{name}.html").render(page=name, root=root, static=f"{root}{static}")
         add(app, path, partial(HTMLResponse, html, headers=HEADERS))
 
 
-def _digest(files: Iterable[Path]) -> str:
+def _digest(files: Mapping[Path, bytes]) -> str:
     found = hashlib.sha256()
-    for file in files:
-        found.update(file.name.encode() + file.read_bytes())
+    for file, content in files.items():
+        found.update(file.name.encode() + content)
     return found.hexdigest()[:16]
