@@ -49,7 +49,9 @@ WATCH = """window.interactive = new Promise((done) => {
   };
   look();
 })"""
-PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
+PAINTED = """new Promise((done) => new PerformanceObserver((list) => {
+  for (const { startTime } of list.getEntriesByName("first-contentful-paint")) done(startTime);
+}).observe({ type: "paint", buffered: true }))"""
 
 HOW = """`tracksweep serve` with two workers, both computing all the time. Headless Chromium on the same machine opens
 each view {loads} times, every time without a cache, the views in turns. *First paint* is the browser's own
