@@ -78,6 +78,7 @@ def facts(results: Results, verdicts: list[Verdict]) -> dict[str, Any]:
             quantity: np.median([outcome.dynamic_ratio(results, t) for t in RANDOM_TARGETS if t.quantity == quantity])
             for quantity in outcome.MEAN
         },
+        "scatter": outcome.scatter_of_ratios(results, HYPOTHESES, RANDOM_TARGETS),
         "tally": {words: [v for v in verdicts if v.words == words] for words in sorted({v.words for v in verdicts})},
         "highest": _highest(results),
         "map": _of_map(results),

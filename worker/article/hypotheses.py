@@ -67,6 +67,7 @@ def _pads(stiffness: float, damping: float) -> Hypothesis:
 
 
 _LAYERS = TRACKS["crts2"].values
+PER_RAD_FACTOR = math.sqrt(2 * math.pi)  # on the heights
 AS_DESCRIBED = Hypothesis(name="as described")
 PER_RAD = Hypothesis(name="spectrum per rad/m (heights × √2π)", spectrum=_own_spectrum(2 * math.pi))
 SOFT = Hypothesis(name="soft mortar and roadbed (crts2-soft)", track={"base": "crts2-soft"})

@@ -114,11 +114,24 @@ def under(results: Results, hypothesis: Hypothesis, target: Target) -> float | N
         cases = results.cases[f"waves, {hypothesis.name}"]
         complete = len(cases) == 2 * len(SPEEDS_KMH)
         return float(joint_differences(cases, target.quantity).mean()) if complete else None
-    few, plain = (
-        shown(of_target(results.cases[f"random, {each.name}"], target), target.quantity)
-        for each in (hypothesis, AS_DESCRIBED)
-    )
+    few, plain = _few(results, hypothesis, target), _few(results, AS_DESCRIBED, target)
     return float(sample(results, target).mean * few.mean() / plain.mean()) if len(few) == len(plain) else None
+
+
+def _few(results: Results, hypothesis: Hypothesis, target: Target) -> Array:
+    return shown(of_target(results.cases[f"random, {hypothesis.name}"], target), target.quantity)
+
+
+def scatter_of_ratios(results: Results, hypotheses: Sequence[Hypothesis], targets: Sequence[Target]) -> float:
+    """Standard deviation of the ratio of one realisation under a hypothesis to that without, the median of all."""
+    found = []
+    for target in targets:
+        plain = _few(results, AS_DESCRIBED, target)
+        for hypothesis in hypotheses:
+            few = _few(results, hypothesis, target)
+            if hypothesis != AS_DESCRIBED and len(few) == len(plain):
+                found.append(float(np.std(few / plain, ddof=1)))
+    return float(np.median(found))
 
 
 def strip_adds(results: Results, width: float | str, quantity: str) -> float | None:

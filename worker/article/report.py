@@ -6,10 +6,13 @@ from typing import Any
 import jinja2
 
 from app.console import digits
+from app.studies.presets import PRESETS
+from solver.case import Numerics
+from solver.catalogue import TRACKS
 from worker.article import conclusion, outcome, reported, strip, studies
 from worker.article.claims import ALIKE, SLABS, verdicts
 from worker.article.figures import LOOKED_AT, TITLES, label, p2, write_pictures
-from worker.article.hypotheses import AS_DESCRIBED, HYPOTHESES
+from worker.article.hypotheses import AS_DESCRIBED, HYPOTHESES, PER_RAD_FACTOR
 from worker.article.results import Results
 
 TEMPLATE = Path(__file__).with_name("report.md.j2")
@@ -54,11 +57,22 @@ def render(results: Results) -> str:
         for name in dir(module)
         if name.isupper()
     }
-    known |= {"HYPOTHESES": HYPOTHESES, "AS_DESCRIBED": AS_DESCRIBED, "SLABS": SLABS, "TITLES": TITLES}
+    known |= {
+        "HYPOTHESES": HYPOTHESES,
+        "AS_DESCRIBED": AS_DESCRIBED,
+        "PER_RAD_FACTOR": PER_RAD_FACTOR,
+        "SLABS": SLABS,
+        "TITLES": TITLES,
+    }
     known |= conclusion.facts(results, known["verdicts"]) | {"ALIKE": ALIKE, "factor": outcome.factor_of}
+    known |= {"preset": _numerics_of, "default_step": Numerics().time_step, "track": TRACKS["crts2"].values}
     known |= {"LOOKED_AT": LOOKED_AT, "label": label, "p2": p2(), "parameters": studies.parameters()}
     known["unfounded"] = conclusion.unfounded(known, known["p2"])
     return environment.from_string(TEMPLATE.read_text()).render(**constants | functions | known)
+
+
+def _numerics_of(study: str) -> dict[str, Any]:
+    return PRESETS[studies.PRESETS[study]].study["numerics"]
 
 
 def _bound(function: Any, results: Results) -> Any:

@@ -20,7 +20,7 @@ TABLE_2 = {
 SECTION_4 = {"rail_acceleration": 132.0, "slab_acceleration": 43.0, "base_acceleration": 3.0, "wheel_rail_force": 12.0}
 
 # Section 5 in words: by how many percent rail displacement and force grow or fall.
-GROWTH_25_TO_90 = {"rail_displacement": 12.5, "wheel_rail_force": 36.0}
+GROWTH_25_TO_90 = {"rail_displacement": (12.5,), "wheel_rail_force": (36.0,)}
 FALL_ALONG_BANDS = {"rail_displacement": (9.4, 3.9, 1.9, 0.8), "wheel_rail_force": (8.6, 5.7, 6.5, 4.6)}
 MEAN_DISPLACEMENT_MM, MEAN_FORCE_KN = 1.2, 70.0
 

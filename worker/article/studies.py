@@ -28,7 +28,7 @@ RANDOM_S, PARAMETER_S = 5.0, 1.5
 SLABS = ["continuous", "discontinuous"]
 
 REALISATIONS = 64
-REALISATIONS_OF_A_HYPOTHESIS = 4
+REALISATIONS_OF_A_HYPOTHESIS = 2
 REALISATIONS_OF_A_PARAMETER = 7  # and a wave: eight cases are computed side by side
 CHANGE = 0.1  # of every parameter, up and down
 
