@@ -4,6 +4,7 @@ Every address in it is relative, so that a proxy may add a path before.
 """
 
 import hashlib
+import re
 from collections.abc import Mapping
 from functools import partial
 from mimetypes import guess_type
@@ -29,6 +30,7 @@ POLICY = "; ".join(
     ]
 )
 TEMPLATES = Environment(loader=PackageLoader("app.web"), autoescape=True, undefined=StrictUndefined)
+IMPORT = re.compile(r'^import .* from "\./(\w[\w-]*)\.js";$', re.MULTILINE)
 FOR_EVER = "public, max-age=31536000, immutable"
 HEADERS = {"Cache-Control": "no-cache", "Content-Security-Policy": POLICY}
 PAGES = {
@@ -54,8 +56,20 @@ def add_web(app: FastAPI) -> None:
         add(app, address, partial(Response, content, media_type=media_type, headers={"Cache-Control": FOR_EVER}))
     for path, name in PAGES.items():
         root = "../" * (path.count("/") - 1)
-        html = TEMPLATES.get_template(f"{name}.html").render(page=name, root=root, static=f"{root}{static}")
+        values = {"page": name, "root": root, "static": f"{root}{static}", "modules": sorted(modules(name))}
+        html = TEMPLATES.get_template(f"{name}.html").render(values)
         add(app, path, partial(HTMLResponse, html, headers=HEADERS))
+
+
+def modules(name: str) -> set[str]:
+    """All modules that a view's module needs, itself too: a browser that is told can ask for them at once."""
+    found: set[str] = set()
+    ahead = {name, "page"}
+    while ahead:
+        found |= ahead
+        scripts = ((STATIC / "js" / f"{each}.js").read_text() for each in ahead)
+        ahead = {needed for script in scripts for needed in IMPORT.findall(script)} - found
+    return found
 
 
 def _digest(files: Mapping[Path, bytes]) -> str:

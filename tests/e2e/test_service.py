@@ -100,6 +100,16 @@ def test_a_study_survives_the_whole_service_killed(tmp_path: Path) -> None:
         assert [case["attempt"] for case in after.cases(study_id)] == [2]
 
 
+def test_workers_stand_back_for_other_processes(tmp_path: Path) -> None:
+    with served(tmp_path / "data", "--workers", "1", TRACKSWEEP_WORKER_NICE="7") as service:
+        service.ended(service.submit(study(300)))
+        (worker,) = service.parts("worker")
+        assert worker.nice() == 7
+        session = Path(f"/proc/{worker.pid}/autogroup")
+        if session.exists():
+            assert session.read_text().split()[-1] == "7"
+
+
 def test_ctrl_c_ends_every_process_and_puts_back_the_case_at_hand(tmp_path: Path) -> None:
     with served(tmp_path / "data", "--workers", "1") as service:
         study_id = service.submit(study(300, window_s=30))
