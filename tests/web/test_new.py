@@ -35,7 +35,7 @@ def test_a_study_is_created_through_the_form(form: Page, service: Served) -> Non
     form.get_by_label("Labels").fill("line=test, owner=somebody")
     form.get_by_role("radio", name="list").check()
     form.get_by_label("Speeds, km/h").fill("251 252")
-    form.get_by_label("jointed").uncheck()
+    form.get_by_label("discontinuous").uncheck()
     form.get_by_role("button", name="Add a parameter").click()
     form.get_by_role("combobox", name="Parameter", exact=True).fill("track.pad_stiffness_n_per_m")
     form.get_by_label("Values", exact=True).fill("5e7")

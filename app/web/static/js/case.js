@@ -10,7 +10,6 @@ import { showRequests } from "./request.js";
 import { Table } from "./table.js";
 
 const AGAIN_MS = 2000;
-const SLABS = { continuous: "continuous", discontinuous: "jointed" };
 const id = Number(location.pathname.split("/").pop());
 const path = `/v1/cases/${id}`;
 const pause = () => new Promise((resolve) => setTimeout(resolve, AGAIN_MS));
@@ -32,9 +31,9 @@ const start = async () => {
 
 const showInputs = ({ inputs, speed_kmh, slab, irregularity, ...found }, parameters) => {
   const told = [["Wavelength", found.wavelength_m, "m"], ["Amplitude", found.amplitude_mm, "mm"], ["Spectrum", found.spectrum, ""], ["Percentile", found.percentile, "%"], ["Seed", found.seed, ""], ["Realisation", found.realisation, ""]];
-  $("title").textContent = `Case ${id}: ${given(speed_kmh)} km/h, ${SLABS[slab]} slab`;
+  $("title").textContent = `Case ${id}: ${given(speed_kmh)} km/h, ${slab} slab`;
   document.title = `Case ${id} · TrackSweep`;
-  show($("conditions"), html`${fact("Speed", `${given(speed_kmh)} km/h`)}${fact("Slab", SLABS[slab])}${fact("Irregularity", irregularity)}
+  show($("conditions"), html`${fact("Speed", `${given(speed_kmh)} km/h`)}${fact("Slab", slab)}${fact("Irregularity", irregularity)}
     ${told.filter(([, value]) => value !== null).map(([name, value, unit]) => fact(name, `${given(value)} ${unit}`))}
     ${found.wavelength_min_m !== null && fact("Band", `${given(found.wavelength_min_m)} to ${given(found.wavelength_max_m)} m`)}`);
   const value = (name) => name.split(".").reduce((node, key) => node?.[key], inputs);
@@ -44,12 +43,11 @@ const showInputs = ({ inputs, speed_kmh, slab, irregularity, ...found }, paramet
 
 const showState = (found) => {
   const { state, error, progress, history } = found;
-  show($("provenance"), html`${fact("State", html`<span class="state ${state}">${state}</span>${state === "running" && ` ${percent(progress)}`}`)}
-    ${fact("Digest", html`<code>${found.digest.slice(0, 12)}</code>`, found.digest)}${fact("Solver version", found.solver_version)}
+  show($("state"), html`<span class="state ${state}">${state}</span>${state === "running" && ` ${percent(progress)}`}${error && html` <span class="error">${error.code}: ${error.detail}</span>`}`);
+  show($("provenance"), html`${fact("Digest", html`<code>${found.digest.slice(0, 12)}</code>`, found.digest)}${fact("Solver version", found.solver_version)}
     ${fact("Attempts", found.attempt)}${fact("Worker", found.worker ?? "–")}${fact("Processor time", duration(found.cpu_s))}
     ${fact("Asked for", instant(found.created_at))}${fact("Begun", instant(found.started_at))}${fact("Ended", instant(found.finished_at))}
-    ${history && fact("History", `${digits(history.size_bytes / 1e6, 3)} MB`, history.digest)}
-    ${error && html`<div class="error"><dt>${error.code}</dt><dd>${error.detail}</dd></div>`}`);
+    ${history && fact("History", `${digits(history.size_bytes / 1e6, 3)} MB`, history.digest)}`);
   show($("actions"), history ? html`<a class="button" href="${address(`${path}/history.npz`)}">History as NumPy</a><a class="button" href="${address(`${path}/history.parquet`)}">as Parquet</a>` : "");
 };
 

@@ -1,9 +1,9 @@
 // Charts: uPlot in the page's colours, as one needs it here. Global uPlot comes from vendor/.
 
 import { digits, given } from "./format.js";
+import { html, show } from "./html.js";
 
 const HUES = 7;
-const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 const FONT = '12px system-ui, "Segoe UI", Roboto, sans-serif';
 const HEIGHT = 240;
 const FAR = 1.5; // a limit that far above all values would leave these no room
@@ -18,6 +18,9 @@ export const colour = (name) => {
   return found;
 };
 
+/** The n-th dash of lines, as canvas and SVG take it; the first is none. */
+export const dash = (n = 0) => [[], [7, 4], [2, 3], [9, 3, 2, 3]][n % 4];
+
 /** The n-th colour that colour-blind readers tell from the others. */
 export const hue = (n) => colour(`--hue-${n % HUES}`);
 
@@ -30,7 +33,8 @@ const faded = (rgb, alpha) => rgb.replace("rgb(", "rgba(").replace(")", `, ${alp
  *   label: what it shows, for who cannot see it; height: px, a legend comes below it; legend: false;
  *   x: {label, values: numbers, ticks: words for 0, 1, … instead of numbers, log: true};
  *   y: {label, log: true};
- *   series: [{label, values, hue: n, dash: n, points: false, low: values, high: values}], the latter two a band;
+ *   series: [{label, values, hue: n, dash: n, points: false, low: values, high: values}], the latter two a band:
+ *     filled, or outlined where lines are dashed, so that those of one colour can be told apart;
  *   limits: [{value, label}] horizontal lines; marks: [{value, label}] vertical ones;
  *   zoomed: (min, max) => … when the reader has chosen a part of x; sync: charts of one name share cursor and zoom
  * }
@@ -62,9 +66,21 @@ export class Chart {
     this.plot?.destroy();
     this.element.setAttribute("aria-label", spec.label);
     this.plot = new uPlot(this.options(), this.columns(), this.element);
+    this.keys();
     const canvas = this.element.querySelector("canvas");
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", spec.label);
+  }
+
+  /** Lines as they are drawn, before their names in the legend. */
+  keys() {
+    const rows = [...this.element.querySelectorAll(".u-series:not(.bound)")].slice(1);
+    rows.forEach((row, n) => {
+      const each = this.spec.series[n];
+      const stroke = hue(each.hue ?? 0);
+      show(row.querySelector(".u-marker"), html`<svg width="28" height="10" aria-hidden="true">${each.low && !each.dash && html`<rect width="28" height="10" fill="${stroke}" fill-opacity="0.18"/>`}
+        <line x2="28" y1="5" y2="5" stroke="${stroke}" stroke-width="2" stroke-dasharray="${dash(each.dash).join(" ")}"/></svg>`);
+    });
   }
 
   /** Other values of the same series, without a change of the visible part. */
@@ -91,17 +107,18 @@ export class Chart {
     const [ink, line] = [colour("--soft"), colour("--line")];
     const axis = { stroke: ink, font: FONT, labelFont: FONT, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1, size: 4 }, labelGap: 0 };
     const bands = [];
-    const drawn = [{ label: x.label, value: (_, value) => (value === null ? "–" : x.ticks ? x.ticks[value] : given(value)) }];
+    const drawn = [{ label: x.label, value: (_, value) => (value === null ? "" : x.ticks ? x.ticks[value] : given(value)) }];
     for (const each of series) {
       const stroke = hue(each.hue ?? 0);
-      const show = each.points ?? true;
+      const points = each.points ?? true;
       drawn.push({
-        label: each.label, stroke, width: 1.5, dash: DASHES[(each.dash ?? 0) % DASHES.length], spanGaps: true,
-        points: { show, size: 6, fill: show ? stroke : undefined }, value: (_, value) => digits(value),
+        label: each.label, stroke, width: 1.5, dash: dash(each.dash), spanGaps: true, pxAlign: 0,
+        points: { show: points, size: 6, fill: points ? stroke : undefined }, value: (_, value, __, at) => (at === null ? "" : digits(value)),
       });
       if (each.low) {
-        bands.push({ series: [drawn.length, drawn.length + 1], fill: faded(stroke, 0.18) });
-        for (let n = 0; n < 2; n++) drawn.push({ class: "bound", stroke: faded(stroke, 0.45), width: 0.5, points: { show: false } });
+        if (!each.dash) bands.push({ series: [drawn.length, drawn.length + 1], fill: faded(stroke, 0.18) });
+        const outline = { class: "bound", stroke: faded(stroke, 0.8), width: each.dash ? 1 : 0, dash: dash(each.dash), points: { show: false } };
+        drawn.push(outline, { ...outline });
       }
     }
     const last = (x.ticks?.length ?? 0) - 1;
@@ -121,7 +138,7 @@ export class Chart {
         setSelect: zoomed ? [(plot) => plot.select.width && zoomed(plot.posToVal(plot.select.left, "x"), plot.posToVal(plot.select.left + plot.select.width, "x"))] : [],
         setSeries: [(plot, n, { show }) => show !== undefined && plot.series[n + 1]?.class === "bound" && [1, 2].forEach((k) => plot.setSeries(n + k, { show }))],
       },
-      legend: { show: this.spec.legend !== false, markers: { width: 2 } },
+      legend: { show: this.spec.legend !== false, markers: { width: 0 } },
     };
   }
 

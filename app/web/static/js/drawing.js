@@ -152,7 +152,7 @@ export class Drawing {
       ${["rail", "slab", "base"].map((beam) => html`<text class="soft left" x="4" y="${LEVELS[beam] - 5}">${beam}</text>`)}
       <text class="soft left" x="4" y="274">kN</text>
       <text class="soft left" x="4" y="290">m/s²</text>
-      <text class="soft left" x="4" y="310">deflections ${digits(this.scale / perMetre, 2)} times too large</text></svg>`);
+      <text class="soft left" x="4" y="310">deflections × ${digits(this.scale / perMetre, 2)}</text></svg>`);
     $("instant-told").textContent = `${time.toFixed(4)} s; first wheelset at ${position.toFixed(2)} m`;
   }
 

@@ -105,7 +105,7 @@ const estimated = ({ cases, cpu, finish, workers, queue_cpu_s, warnings }) => ht
   <div><dt>Cases</dt><dd>${count(cases.total)}</dd></div><div><dt>to compute</dt><dd>${count(cases.new)}</dd></div>
   <div><dt>stored</dt><dd>${count(cases.computed)}</dd></div><div><dt>in flight</dt><dd>${count(cases.in_flight)}</dd></div>
   ${cases.failed > 0 && html`<div><dt>failed before</dt><dd>${count(cases.failed)}</dd></div>`}
-  <div><dt>Processor time</dt><dd>${cases.new ? duration(cpu.expected_s) : "none"}</dd>${cases.new > 0 && html`<small>${duration(cpu.least_s)} to ${duration(cpu.most_s)}</small>`}</div>
+  <div><dt>Processor time</dt><dd>${cases.new ? duration(cpu.expected_s) : "none"}</dd>${cases.new > 0 && html`<small>${cpu.basis === "same-operator" ? `${duration(cpu.least_s)} to ${duration(cpu.most_s)}` : "a guess: nothing like it was computed here yet"}</small>`}</div>
   <div><dt>Done</dt><dd>${finish ? instant(finish.expected) : workers || !(cases.new + cases.in_flight) ? "at once" : "no worker"}</dd><small>${workers} ${workers === 1 ? "worker" : "workers"}${queue_cpu_s >= 1 && `, ${duration(queue_cpu_s)} before it`}</small></div>
 </dl>${warnings.length > 0 && html`<ul aria-label="Beware">${warnings.map(({ detail, pointer }) => html`<li>${detail}<code>${pointer}</code></li>`)}</ul>`}`;
 

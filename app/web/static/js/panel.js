@@ -8,7 +8,7 @@ import { saveChart } from "./svg.js";
 import { axesOf, curves, firstAxis, heading } from "./sweep.js";
 
 const CHOICES = ["quantity", "position", "axis", "statistic"];
-const BAND = "Lines: median of the realisations; bands: from their 5th to their 95th percentile.";
+const BAND = "Lines: median of the realisations; bands, outlined where the line is dashed: from their 5th to their 95th percentile.";
 
 const choose = (select, options, value) => {
   const made = String(html`${options.map(([key, label]) => html`<option value="${key}">${label}</option>`)}`);

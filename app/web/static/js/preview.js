@@ -59,10 +59,11 @@ const ask = (irregularity, start_m, length_m, max_points) =>
 const picture = async (rail, profiles) => {
   asked?.abort();
   asked = new AbortController();
+  const pure = rail.kind === "harmonic"; // windows would make a hill of its single line
   const { start_m, length_m, whole } = stretch(rail, profiles);
   try {
     const [part, all] = await Promise.all([ask(rail, start_m, length_m, 1200), ask(rail, start_m, whole, 2)]);
-    $("preview-facts").textContent = `rms ${digits(all.rms_mm, 3)} mm, from ${digits(all.lowest_mm, 3)} to ${digits(all.highest_mm, 3)} mm over ${digits(whole, 3)} m; positive downwards`;
+    $("preview-facts").textContent = `rms ${digits(all.rms_mm, 3)} mm, from ${digits(all.lowest_mm, 3)} to ${digits(all.highest_mm, 3)} mm over ${digits(whole, 3)} m; positive downwards${pure ? `; all of it at ${digits(1 / rail.wavelength_m, 3)} per metre, so that no density is drawn` : ""}`;
     const again = async (from, to) => {
       const finer = await ask(rail, from, Math.max(1, to - from), 1200).catch(() => null);
       if (!finer) return;
@@ -74,7 +75,8 @@ const picture = async (rail, profiles) => {
       $("whole").hidden = true;
     };
     $("whole").onclick();
-    drawDensity(all);
+    $("density-chart").hidden = pure;
+    if (!pure) drawDensity(all);
   } catch (error) {
     if (error.name !== "AbortError") $("preview-facts").textContent = error.message; // fields tell the rest
   }

@@ -23,7 +23,7 @@ const row = (study) => {
     <td><input type="checkbox" id="choose-${id}" data-choose="${id}" ${chosen.has(id) && "checked"} aria-label="Choose ${name} for a comparison"></td>
     <td class="name"><a href="${studyUrl(id)}" id="name-${id}">${name}</a> ${owner && html`<span class="label">by ${owner}</span>`} ${Object.entries(labels).map(([key, value]) => html`<span class="label">${key}: ${value}</span>`)}</td>
     <td><span class="state ${state}">${words(state)}</span></td>
-    <td class="done">${!hasEnded(study) && html`<progress max="1" value="${progress}" aria-label="Progress of ${name}"></progress>`}<small>${percent(progress)}</small></td>
+    <td class="done">${!hasEnded(study) && html`<progress max="1" value="${progress}" aria-label="Progress of ${name}"></progress>`}${state !== "succeeded" && html`<small>${percent(progress)}</small>`}</td>
     <td class="number">${count(cases.total)}${cases.failed > 0 && html` <small class="error">${count(cases.failed)} failed</small>`}</td>
     <td class="number">${took(study)}</td>
     <td class="number">${hasEnded(study) ? "" : duration(remaining.get(id))}</td>

@@ -27,15 +27,15 @@ const facts = () => {
   const { state, progress, cases, cases_reused: reused, created_at: created, started_at: started, finished_at: finished, finish, priority, owner, labels } = study;
   const end = finished ? new Date(finished) : Date.now();
   const fact = (name, value) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`;
-  show($("facts"), html`<progress max="1" value="${progress}" aria-label="Progress"></progress><dl class="facts">
+  show($("facts"), html`${!hasEnded(study) && html`<progress max="1" value="${progress}" aria-label="Progress"></progress>`}<dl class="facts">
     ${fact("State", html`<span class="state ${state}" id="study-state">${words(state)}</span> ${!hasEnded(study) && percent(progress)}`)}
     ${fact("Cases", html`${count(cases.succeeded)} of ${count(cases.total)}${cases.running > 0 && `, ${count(cases.running)} running`}${cases.failed > 0 && html`, <span class="error">${count(cases.failed)} failed</span>`}${cases.cancelled > 0 && `, ${count(cases.cancelled)} cancelled`}`)}
-    ${fact("Were there already", count(reused))}
+    ${reused > 0 && fact("Were there already", count(reused))}
     ${fact(hasEnded(study) ? "Finished" : "To be finished", hasEnded(study) ? instant(finished) : finish ? html`${instant(finish.expected)} <small>± ${duration((new Date(finish.latest) - new Date(finish.earliest)) / 2000)}</small>` : "no worker is there")}
     ${fact("Took", started ? duration((end - new Date(started)) / 1000) : "–")}
     ${fact("Created", html`${instant(created)}${owner && ` by ${owner}`}`)}
-    ${fact("Priority", given(priority))}
-    ${fact("Labels", Object.keys(labels).length ? Object.entries(labels).map(([key, value]) => html`<span class="label">${key}: ${value}</span>`) : "–")}</dl>`);
+    ${priority !== 0 && fact("Priority", given(priority))}
+    ${Object.keys(labels).length > 0 && fact("Labels", Object.entries(labels).map(([key, value]) => html`<span class="label">${key}: ${value}</span>`))}</dl>`);
 };
 
 const head = () => {
@@ -68,12 +68,13 @@ const table = async () => {
   const fields = ["speed_kmh", "slab", "irregularity", "spectrum", "percentile", "wavelength_min_m", "wavelength_max_m", "wavelength_m", "amplitude_mm", "realisation"];
   const varies = (pick) => new Set(items.map(pick)).size > 1;
   const condition = (name, pick) => ({ key: name, label: heading(name).split(", ")[0], unit: heading(name).split(", ")[1], value: pick, text: (row) => given(pick(row)), number: typeof pick(items[0]) === "number" });
+  const repeats = (name) => ["maximum", "minimum"].includes(name) && items.every((row) => row[name] === row.peak); // as forces do
   const columns = [
+    { key: "case", label: "case", number: true, value: (row) => row.case_id, text: (row) => html`<a href="${address(`/cases/${row.case_id}`)}">${row.case_id}</a>` },
     ...fields.filter((name) => varies((row) => row[name])).map((name) => condition(name, (row) => row[name])),
     ...Object.keys(items[0].parameters).map((name) => condition(name, (row) => row.parameters[name])),
-    ...STATISTICS.map((name) => ({ key: name, label: name, unit, number: true, value: (row) => row[name], text: (row) => digits(factor * row[name]) })),
+    ...STATISTICS.filter((name) => !repeats(name)).map((name) => ({ key: name, label: name, unit, number: true, value: (row) => row[name], text: (row) => digits(factor * row[name]) })),
     { key: "time_s", label: "time", unit: "s", number: true, value: (row) => row.time_s, text: (row) => digits(row.time_s, 4) },
-    { key: "case", label: "case", number: true, value: (row) => row.case_id, text: (row) => html`<a href="${address(`/cases/${row.case_id}`)}">${row.case_id}</a>` },
   ];
   $("table-title").textContent = complete ? `${count(items.length)} cases` : `The first ${count(MOST_ROWS)} cases`;
   peaks.show(columns, items);

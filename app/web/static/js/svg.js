@@ -1,11 +1,10 @@
 // A chart as a file: SVG made of what the chart shows, and PNG made of that.
 
-import { colour, hue } from "./chart.js";
+import { colour, dash, hue } from "./chart.js";
 import { html } from "./html.js";
 import { save } from "./save.js";
 
 const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [720, 420, 64, 16, 34, 46];
-const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 const SCALE = 2;
 
 /** The text of an SVG of a Chart, in the colours it has on the page. */
@@ -27,8 +26,11 @@ export const svg = ({ spec, plot }, title) => {
   const curve = (each) => {
     const stroke = hue(each.hue ?? 0);
     const found = points(each.values);
-    return html`${each.low && html`<polygon points="${path([...points(each.low), ...points(each.high).reverse()])}" fill="${stroke}" fill-opacity="0.16"/>`}
-<polyline points="${path(found)}" fill="none" stroke="${stroke}" stroke-width="1.6" stroke-dasharray="${DASHES[(each.dash ?? 0) % DASHES.length]}"/>
+    const dashes = dash(each.dash).join(" ");
+    const outline = (values) => html`<polyline points="${path(points(values))}" fill="none" stroke="${stroke}" stroke-opacity="0.8" stroke-dasharray="${dashes}"/>`;
+    const band = each.low && (each.dash ? [each.low, each.high].map(outline) : html`<polygon points="${path([...points(each.low), ...points(each.high).reverse()])}" fill="${stroke}" fill-opacity="0.16"/>`);
+    return html`${band}
+<polyline points="${path(found)}" fill="none" stroke="${stroke}" stroke-width="1.6" stroke-dasharray="${dashes}"/>
 ${(each.points ?? true) && found.map(([a, b]) => html`<circle cx="${a}" cy="${b}" r="2.6" fill="${stroke}"/>`)}`;
   };
   return String(html`<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${HEIGHT + legend}" viewBox="0 0 ${WIDTH} ${HEIGHT + legend}" font-family="system-ui, sans-serif" font-size="12">
@@ -41,7 +43,7 @@ ${ticks(0).filter(([at]) => within(at, "x")).map(([at, text]) => html`<path d="M
 ${(spec.limits ?? []).filter(({ value }) => within(value, "y")).map(({ value, label }) => html`<path d="M${LEFT} ${y(value)}H${WIDTH - RIGHT}" stroke="${warn}" stroke-dasharray="4 3"/><text x="${WIDTH - RIGHT - 4}" y="${y(value) - 4}" text-anchor="end" fill="${warn}">${label}</text>`)}
 ${(spec.marks ?? []).filter(({ value }) => within(value, "x")).map(({ value, label }) => html`<path d="M${x(value)} ${TOP}V${bottom}" stroke="${warn}" stroke-dasharray="4 3"/><text x="${x(value)}" dx="4" y="${TOP + 12}" fill="${warn}">${label}</text>`)}
 ${spec.series.map(curve)}
-${legend > 0 && spec.series.map((each, n) => html`<path d="M${LEFT} ${HEIGHT + 18 * n}h26" stroke="${hue(each.hue ?? 0)}" stroke-width="2" stroke-dasharray="${DASHES[(each.dash ?? 0) % DASHES.length]}"/><text x="${LEFT + 34}" y="${HEIGHT + 18 * n}" dy="4" fill="${ink}">${each.label}</text>`)}
+${legend > 0 && spec.series.map((each, n) => html`<path d="M${LEFT} ${HEIGHT + 18 * n}h26" stroke="${hue(each.hue ?? 0)}" stroke-width="2" stroke-dasharray="${dash(each.dash).join(" ")}"/><text x="${LEFT + 34}" y="${HEIGHT + 18 * n}" dy="4" fill="${ink}">${each.label}</text>`)}
 </svg>`);
 };
 

@@ -73,7 +73,7 @@ export const curves = (info, position, summaries, axis, axes) => {
   return {
     label: `${info.title} against ${heading(axis)}`,
     x: { label: heading(axis), values: numeric ? values : values.map((_, n) => n), ...(!numeric && { ticks: values.map(given) }) },
-    y: { label: unit === "–" ? "" : unit },
+    y: { label: unit === "–" ? info.title : `${info.title}, ${unit}` },
     series,
     several,
     limits: info.limits.map((limit) => ({ value: factor * limit.value, label: quantity(limit.value, info.unit) })),
