@@ -76,7 +76,10 @@ export class Panel {
     const spec = axis && curves(this.info, position, this.summaries, axis, this.axes);
     $("curve-note").textContent = [this.info.convention, spec?.several && BAND, ...this.info.limits.map((limit) => `Limit ${quantity(limit.value, this.info.unit)}: ${limit.applies}, ${limit.source}`)].filter(Boolean).join(" · ");
     if (spec) this.chart = this.drawn(this.chart, $("curve"), { ...spec, limits: statistic === "std" ? [] : spec.limits, height: 340 });
-    else show($("curve"), html`<p class="empty">Nothing varies here: the number is in the table.</p>`);
+    else if (!this.some || there.has(this.info.name)) {
+      this.chart = this.chart?.remove();
+      show($("curve"), html`<p class="empty">Nothing varies here: the number is in the table.</p>`);
+    } // else its numbers are asked for: the chart stays until they are there
     for (const info of quantities) if (!this.some) this.small(info, [...there.get(info.name)][0], axis);
   }
 
