@@ -48,7 +48,8 @@ class Served:
 
     def __init__(self, data: Path, *options: str, program: Sequence[str] = PROGRAM, **environment: str) -> None:
         self.data = data
-        self.environment = clean_environment() | {"TRACKSWEEP_LEASE_S": "2", "TRACKSWEEP_WORKER_NICE": "0"} | environment
+        ours = {"TRACKSWEEP_LEASE_S": "2", "TRACKSWEEP_WORKER_NICE": "0"}  # other tests run beside
+        self.environment = clean_environment() | ours | environment
         self.environment["TRACKSWEEP_DATA_DIR"] = str(data)
         command = [*program, "serve", "--port", "0", *options]
         self.process = subprocess.Popen(

@@ -3,7 +3,7 @@
 import { get } from "./api.js";
 import { Chart } from "./chart.js";
 import { count, digits, given, shownUnit, words } from "./format.js";
-import { $, html, show } from "./html.js";
+import { $, html, inTurns, show } from "./html.js";
 import { notify } from "./page.js";
 
 const POINTS = 600; // of a channel, in a chart
@@ -24,7 +24,8 @@ export const channels = async (id, titles, told) => {
     reading = new AbortController();
     asked.history = { max_points: POINTS, ...part };
     const history = await get(`/v1/cases/${id}/history`, asked.history, reading.signal);
-    draw(history, titles, zoom);
+    const quantities = Map.groupBy(history.channels, ({ quantity: name }) => name);
+    draw([...quantities].map(([name, found]) => [name, found, titles.get(name) ?? words(name), zoom]));
     const [from, to] = ends(history);
     $("part").textContent = `${from.toFixed(4)} to ${to.toFixed(4)} s, ${count(history.samples)} samples per channel, drawn from ${count(Math.min(history.samples, POINTS))}`;
     $("back").disabled = $("whole").disabled = before.length < 2;
@@ -62,25 +63,21 @@ const ends = ({ channels: all }) => {
   return [Math.min(...times), Math.max(...times)];
 };
 
-const draw = ({ channels: all }, titles, zoomed) => {
-  const quantities = Map.groupBy(all, ({ quantity: name }) => name);
-  for (const [name, found] of quantities) {
-    const { name: unit, factor } = shownUnit(found[0].unit);
-    const [x, ...columns] = uPlot.join(found.map(({ time_s, values }) => [time_s, values.map((value) => value * factor)]));
-    const title = titles.get(name) ?? words(name);
-    const spec = {
-      label: `${title}, ${unit}, over time`, height: HEIGHT, sync: "histories", zoomed, x: { label: "time, s", values: x }, y: { label: unit },
-      series: found.map(({ position }, n) => ({ label: words(position), values: columns[n], hue: n, points: false })),
-    };
-    if (charts.has(name)) charts.get(name).show(spec);
-    else {
-      const place = document.createElement("div");
-      show(place, html`<h3>${title}</h3><div></div>`);
-      $("histories").append(place);
-      charts.set(name, new Chart(place.lastElementChild, spec));
-    }
+const draw = inTurns(([name, found, title, zoomed]) => {
+  const { name: unit, factor } = shownUnit(found[0].unit);
+  const [x, ...columns] = uPlot.join(found.map(({ time_s, values }) => [time_s, values.map((value) => value * factor)]));
+  const spec = {
+    label: `${title}, ${unit}, over time`, height: HEIGHT, sync: "histories", zoomed, x: { label: "time, s", values: x }, y: { label: unit },
+    series: found.map(({ position }, n) => ({ label: words(position), values: columns[n], hue: n, points: false })),
+  };
+  if (charts.has(name)) charts.get(name).show(spec);
+  else {
+    const place = document.createElement("div");
+    show(place, html`<h3>${title}</h3><div></div>`);
+    $("histories").append(place);
+    charts.set(name, new Chart(place.lastElementChild, spec));
   }
-};
+});
 
 let spectrumChart = null;
 

@@ -8,14 +8,19 @@ const FONT = '12px system-ui, "Segoe UI", Roboto, sans-serif';
 const HEIGHT = 240;
 const FAR = 1.5; // a limit that far above all values would leave these no room
 
+const colours = new Map(); // as they were found, since to find one takes a look at the whole page
+document.addEventListener("colours", () => colours.clear());
+
 /** A colour of the page's style sheet as the theme has it now, such as "--ink". */
 export const colour = (name) => {
-  const probe = document.createElement("i");
-  probe.style.color = `var(${name})`;
-  document.body.append(probe);
-  const found = getComputedStyle(probe).color;
-  probe.remove();
-  return found;
+  if (!colours.has(name)) {
+    const probe = document.createElement("i");
+    probe.style.color = `var(${name})`;
+    document.body.append(probe);
+    colours.set(name, getComputedStyle(probe).color);
+    probe.remove();
+  }
+  return colours.get(name);
 };
 
 /** The n-th dash of lines, as canvas and SVG take it; the first is none. */

@@ -2,7 +2,7 @@
 
 import { Chart } from "./chart.js";
 import { quantity, shownUnit, words } from "./format.js";
-import { $, html, show } from "./html.js";
+import { $, html, inTurns, show } from "./html.js";
 import { notify } from "./page.js";
 import { saveChart } from "./svg.js";
 import { axesOf, curves, firstAxis, heading } from "./sweep.js";
@@ -24,6 +24,7 @@ export class Panel {
   /** `changed()` is called when other numbers are wanted. */
   constructor(quantities, changed) {
     Object.assign(this, { quantities, changed, summaries: [], charts: new Map(), wanted: Object.fromEntries(new URLSearchParams(location.search)) });
+    this.small = inTurns((each) => this.drawSmall(each));
     if (this.wanted.statistic) $("statistic").value = this.wanted.statistic;
     $("choice").addEventListener("change", ({ target }) => this.choose(target.id, target.value));
     $("multiples").addEventListener("click", ({ target }) => {
@@ -80,10 +81,10 @@ export class Panel {
       this.chart = this.chart?.remove();
       show($("curve"), html`<p class="empty">Nothing varies here: the number is in the table.</p>`);
     } // else its numbers are asked for: the chart stays until they are there
-    for (const info of quantities) if (!this.some) this.small(info, [...there.get(info.name)][0], axis);
+    this.small(this.some ? [] : quantities.map((info) => ({ info, position: [...there.get(info.name)][0], axis })));
   }
 
-  small(info, position, axis) {
+  drawSmall({ info, position, axis }) {
     const spec = axis && curves(info, position, this.summaries, axis, this.axes);
     if (!spec) return;
     const id = `small-${info.name}`;
