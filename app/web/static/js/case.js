@@ -16,26 +16,31 @@ const pause = () => new Promise((resolve) => setTimeout(resolve, AGAIN_MS));
 const fact = (name, value, title) => html`<div><dt>${name}</dt><dd title="${title ?? ""}">${value}</dd></div>`;
 
 const start = async () => {
-  let [found, quantities, limits] = await Promise.all([get(path), getOnce("/v1/quantities"), getOnce("/v1/limits")]);
+  let [found, quantities] = await Promise.all([get(path), getOnce("/v1/quantities")]);
   const titles = new Map(quantities.items.map(({ name, title }) => [name, title]));
-  showInputs(found, limits.parameters);
+  showConditions(found);
+  const inputs = showInputs(found);
   for (; ; found = await get(path)) {
     showState(found);
     if (!["queued", "running"].includes(found.state)) break;
     await pause();
   }
-  await Promise.all([showPeaks(quantities.items, found), found.history ? showHistory(found, titles) : tellNoHistory()]);
+  await Promise.all([found.history ? showHistory(found, titles) : tellNoHistory(), showPeaks(quantities.items, found), inputs]);
   tellRequests();
   if (found.state === "succeeded") await verification();
 };
 
-const showInputs = ({ inputs, speed_kmh, slab, irregularity, ...found }, parameters) => {
+const showConditions = ({ speed_kmh, slab, irregularity, ...found }) => {
   const told = [["Wavelength", found.wavelength_m, "m"], ["Amplitude", found.amplitude_mm, "mm"], ["Spectrum", found.spectrum, ""], ["Percentile", found.percentile, "%"], ["Seed", found.seed, ""], ["Realisation", found.realisation, ""]];
   $("title").textContent = `Case ${id}: ${given(speed_kmh)} km/h, ${slab} slab`;
   document.title = `Case ${id} · TrackSweep`;
   show($("conditions"), html`${fact("Speed", `${given(speed_kmh)} km/h`)}${fact("Slab", slab)}${fact("Irregularity", irregularity)}
     ${told.filter(([, value]) => value !== null).map(([name, value, unit]) => fact(name, `${given(value)} ${unit}`))}
     ${found.wavelength_min_m !== null && fact("Band", `${given(found.wavelength_min_m)} to ${given(found.wavelength_max_m)} m`)}`);
+};
+
+const showInputs = async ({ inputs }) => {
+  const { parameters } = await getOnce("/v1/limits");
   const value = (name) => name.split(".").reduce((node, key) => node?.[key], inputs);
   const row = ({ path: name, meaning, unit }) => html`<tr><td>${meaning}</td><td><code>${name}</code></td><td class="number">${typeof value(name) === "number" ? given(Number(value(name).toPrecision(7))) : "–"}</td><td>${unit}</td></tr>`;
   show($("inputs"), html`<table><thead><tr><th scope="col">Value of</th><th scope="col">Name</th><th scope="col" class="number">Value</th><th scope="col">Unit</th></tr></thead><tbody>${parameters.map(row)}</tbody></table>`);

@@ -20,13 +20,15 @@ export const show = (element, made) => {
 /** The element of an id. */
 export const $ = (id) => document.getElementById(id);
 
-/** A function that draws things one by one and lets the reader do something in between, until others are to be drawn. */
+const whenIdle = window.requestIdleCallback ?? setTimeout; // Safari has none
+
+/** A function that draws things one by one, when nothing else is to be done, until others are to be drawn. */
 export const inTurns = (draw) => {
   let now;
   return async (things) => {
     const mine = (now = {});
     for (const thing of things) {
-      await new Promise((resolve) => setTimeout(resolve));
+      await new Promise((resolve) => whenIdle(resolve));
       if (now !== mine) return;
       draw(thing);
     }

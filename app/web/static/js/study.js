@@ -54,7 +54,8 @@ const results = async () => {
   $("multiples-title").hidden = some;
   if (conditions.length) {
     panel.show(conditions, some);
-    await Promise.all([table(), differences()]);
+    await table();
+    await differences();
   }
   requests();
 };
@@ -156,11 +157,11 @@ document.addEventListener("changed", () => refresh().then(look).then(follow).cat
 $("differences").addEventListener("change", () => differences().then(requests).catch(notify));
 
 const begin = async () => {
-  const [found, quantities] = await Promise.all([get(path), getOnce("/v1/quantities")]);
+  const [found, quantities] = await Promise.all([get(path), getOnce("/v1/quantities"), getOnce("/v1/limits")]);
   study = found;
   facts();
   head();
-  panel = new Panel(quantities.items, (name) => (name === "statistic" || study.cases.total > MANY ? results() : Promise.all([table(), differences()]).then(requests)).catch(notify));
+  panel = new Panel(quantities.items, (name) => (name === "statistic" || study.cases.total > MANY ? results() : table().then(differences).then(requests)).catch(notify));
   look();
   await follow();
 };
