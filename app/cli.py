@@ -43,6 +43,7 @@ def api(
 ) -> None:
     """Run the API alone."""
     import uvicorn
+    from uvicorn.supervisors import Multiprocess
 
     from app.console import WRONG_USAGE, fail
     from app.serve.service import CannotServeError, listen
@@ -53,9 +54,14 @@ def api(
     except CannotServeError as error:
         fail(error, WRONG_USAGE)
     os.environ["TRACKSWEEP_HOST"] = listener.getsockname()[0]  # who can reach the API decides whether it asks for keys
+    processes = settings.api_processes if fd is None else 1
     # A watcher's stream may stay open for hours: what is unfinished after two seconds is cut.
-    config = uvicorn.Config("app.main:create_app", factory=True, timeout_graceful_shutdown=2)
-    uvicorn.Server(config).run(sockets=[listener])
+    config = uvicorn.Config("app.main:create_app", factory=True, workers=processes, timeout_graceful_shutdown=2)
+    if processes == 1:
+        uvicorn.Server(config).run(sockets=[listener])
+        return
+    config.timeout_worker_healthcheck = 30  # slow is not dead
+    Multiprocess(config, [listener]).run()
 
 
 @service.command()

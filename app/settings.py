@@ -29,9 +29,7 @@ class Settings(BaseSettings):
     host: str = Field(default="127.0.0.1", description="Address the API listens on.")
     port: int = Field(default=8000, ge=0, le=65535, description="Port the API listens on; 0 for any free one.")
     url: str = Field(default="", description="Service that commands talk to; empty for the one on the data folder.")
-    api_processes: int = Field(
-        default=1, ge=1, le=64, description="Processes that `tracksweep serve` has answer requests, behind one port."
-    )
+    api_processes: int = Field(default=1, ge=1, le=64, description="Processes that answer requests, behind one port.")
     workers: int = Field(default=2, ge=0, le=1024, description="Worker processes that `tracksweep serve` runs.")
     worker_nice: int = Field(default=10, ge=0, le=19, description="How far workers stand back for other processes.")
     lease_s: float = Field(default=15.0, gt=0, le=3600, description="Time after which a silent worker loses its case.")
