@@ -32,21 +32,25 @@ def cases_started(session: Session, case_ids: Sequence[int]) -> None:
         record(session, study_id, "state", {"state": "running"})
 
 
-def case_ended(session: Session, case_id: int, state: CaseState) -> None:
-    """A case reached its end: studies in which it was the last are finished.
+def cases_ended(session: Session, case_ids: Sequence[int], state: CaseState) -> None:
+    """Cases reached their end: studies in which they were the last are finished.
 
-    Call it after the case's own row was updated. That row's lock, and then the studies', order the ends of two
+    Call it after the cases' own rows were updated. Their locks, and then the studies', order the ends of two
     last cases on PostgreSQL: without them each would see the other still running, and nobody would say `done`.
     """
-    studies = (
-        select(Study.id)
-        .join(StudyCase, StudyCase.study_id == Study.id)
-        .where(StudyCase.case_id == case_id, LIVE)
-        .order_by(Study.id)
-        .with_for_update(key_share=True, of=Study)
+    containing = select(StudyCase.study_id).where(StudyCase.case_id.in_(case_ids))
+    studies = select(Study.id).where(Study.id.in_(containing), LIVE).order_by(Study.id)
+    concerned = session.scalars(studies.with_for_update(key_share=True)).all()
+    pairs = select(StudyCase.study_id, StudyCase.case_id).where(
+        StudyCase.study_id.in_(concerned), StudyCase.case_id.in_(case_ids)
     )
-    for study_id in session.scalars(studies).all():
-        record(session, study_id, "case", {"case_id": case_id, "state": state})
+    told = [
+        {"study_id": study_id, "kind": "case", "payload": {"case_id": case_id, "state": state}}
+        for study_id, case_id in session.execute(pairs.order_by(StudyCase.study_id, StudyCase.position))
+    ]
+    if told:
+        session.execute(insert(Event), told)
+    for study_id in concerned:
         finish_if_done(session, study_id)
 
 

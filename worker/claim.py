@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 from uuid import uuid4
 
-from sqlalchemy import Row, Select, func, select, update
+from sqlalchemy import Double, Row, Select, bindparam, func, select, update
 from sqlalchemy.orm import Session
 
 from app import events
@@ -59,9 +59,23 @@ def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES)
         return []
     rows = [head, *_riders(session, head, _share(session, head, worker, lanes) - 1)]
     rows.sort(key=lambda row: str(row.digest))  # the order in which they will be locked again and again
-    batch = [_take(session, row, worker, lease_s) for row in rows]
+    batch = [
+        Claim(token=uuid4().hex, attempt=row.attempt + 1, case_id=row.id, digest=row.digest, inputs=row.inputs)
+        for row in rows
+    ]
+    taken = [{"taken_id": held.case_id, "token": held.token, "by": worker, "for_s": lease_s} for held in batch]
+    session.connection().execute(_TAKE, taken)
     events.cases_started(session, [held.case_id for held in batch])
     return batch
+
+
+_TAKE = (
+    update(Case)
+    .where(Case.id == bindparam("taken_id"))
+    .values(state="running", attempt=Case.attempt + 1, worker=bindparam("by"), progress=0.0)
+    .values(started_at=Clock(), heartbeat_at=Clock(), lease_expires=Clock() + bindparam("for_s", type_=Double))
+    .values(lease_token=bindparam("token"))
+)
 
 
 def _queued() -> Select[Any]:
@@ -93,19 +107,3 @@ def _riders(session: Session, head: Row[Any], count: int) -> Sequence[Row[Any]]:
 
 def _alike(head: Row[Any]) -> list[Any]:
     return [getattr(Case, name) == getattr(head, name) for name in ("operator_key", "solver_version", "priority")]
-
-
-def _take(session: Session, row: Row[Any], worker: str, lease_s: float) -> Claim:
-    token = uuid4().hex
-    values = {
-        "state": "running",
-        "attempt": row.attempt + 1,
-        "lease_token": token,
-        "lease_expires": Clock() + lease_s,
-        "heartbeat_at": Clock(),
-        "started_at": Clock(),
-        "worker": worker,
-        "progress": 0.0,
-    }
-    session.execute(update(Case).where(Case.id == row.id).values(values))
-    return Claim(case_id=row.id, token=token, attempt=row.attempt + 1, digest=row.digest, inputs=row.inputs)

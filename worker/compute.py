@@ -31,13 +31,15 @@ from worker.claim import Claim, claim
 from worker.heartbeat import Heartbeat, StoppedError
 from worker.history import archive
 from worker.peak import peak_at_boundary
+from worker.success import Success, wanting_history, write_down
 
 AWAY = (OperationalError, InterfaceError)  # what the database's being away ends in
 PAUSE_S = 1.0  # between two looks whether what is away is back
 BLAMELESS = (StoppedError, lease.LeaseLostError, *AWAY)  # what ends an attempt at a case that is not to blame
 
 T = TypeVar("T")
-Outcome = Callable[[Session], bool]  # writes itself down, and says whether the lease still held
+Ending = Callable[[Session], bool]  # writes itself down, and says whether the lease still held
+Outcome = Success | Ending
 
 log = structlog.get_logger()
 
@@ -85,12 +87,37 @@ class Worker:
     def compute(self, batch: Sequence[Claim]) -> None:
         """Compute cases side by side and write down the outcome of each."""
         with Heartbeat(self.database, batch, self.settings, self.stopping) as heartbeat:
-            for held, outcome in self._attempt(batch, heartbeat):
+            outcomes = list(self._attempt(batch, heartbeat))
+            successes = [outcome for _, outcome in outcomes if isinstance(outcome, Success)]
+            written = self._write_together(successes, heartbeat) if successes else set()
+            for held, outcome in outcomes:
+                if isinstance(outcome, Success):
+                    continue
                 try:
-                    if not self._write(outcome, held, heartbeat):
-                        log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
-                except Exception:  # its lease will run out; its neighbours' outcomes are still to be written
-                    log.exception("outcome not written", case_id=held.case_id, attempt=held.attempt)
+                    if self._write(outcome, held, heartbeat):
+                        written.add(held.case_id)
+                except Exception:  # as above
+                    log.exception("outcome not written", case_id=held.case_id)
+        for held in batch:
+            if held.case_id not in written:
+                log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
+
+    def _write_together(self, successes: Sequence[Success], heartbeat: Heartbeat) -> set[int]:
+        """Write successes down. Returns the cases of which that was done."""
+
+        def write() -> set[int]:
+            with self.database.write() as session:
+                return write_down(session, successes)
+
+        try:
+            return self._patiently(write, [each.held for each in successes], heartbeat)
+        except lease.LeaseLostError:
+            return set()
+        except Exception:  # one's lease will run out; its neighbours' outcomes are still to be written
+            if len(successes) == 1:
+                log.exception("outcome not written", case_id=successes[0].held.case_id)
+                return set()
+        return set().union(*(self._write_together([each], heartbeat) for each in successes))
 
     def _verify(self) -> bool:
         """Compute a stored case once more, if one is to be verified. Returns whether there was one."""
@@ -103,7 +130,7 @@ class Worker:
             self._write(self._verified(held, heartbeat), held, heartbeat)
         return True
 
-    def _verified(self, held: verification.Claim, heartbeat: Heartbeat) -> Outcome:
+    def _verified(self, held: verification.Claim, heartbeat: Heartbeat) -> Ending:
         try:
             with heartbeat.limited(1):
                 (result,) = solve([Case.from_dict(held.inputs, self.profiles)], partial(heartbeat.progress, [held]))
@@ -127,6 +154,7 @@ class Worker:
             with heartbeat.limited(len(batch)):
                 cases = [Case.from_dict(held.inputs, self.profiles) for held in batch]
                 results = solve(cases, partial(heartbeat.progress, batch))
+            kept = self._patiently(partial(self._wanting_history, batch), batch, heartbeat)
         except Exception as error:
             if len(batch) == 1 or isinstance(error, BLAMELESS):
                 yield from ((held, self._broken_off(held, error)) for held in batch)
@@ -139,29 +167,30 @@ class Worker:
             return
         cpu_s = (time.process_time() - began) / len(batch)
         for held, result in zip(batch, results, strict=True):
-            yield held, self._outcome(held, result, cpu_s, heartbeat) if heartbeat.holds(held) else _lost
+            keeps = held.case_id in kept
+            yield held, self._outcome(held, result, cpu_s, keeps, heartbeat) if heartbeat.holds(held) else _lost
 
     def _read_profile(self, profile_id: str) -> Samples:
         with self.database.read() as session:
             return samples(session, profile_id)
 
-    def _outcome(self, held: Claim, result: Response | SolverError, cpu_s: float, heartbeat: Heartbeat) -> Outcome:
-        """What came of a case, which took some processor time so far."""
+    def _outcome(
+        self, held: Claim, result: Response | SolverError, cpu_s: float, keeps: bool, heartbeat: Heartbeat
+    ) -> Outcome:
+        """What came of a case, which took some processor time so far, and of which the history is kept or not."""
         if isinstance(result, SolverError):  # the same again, however often it were tried
             return partial(lease.fail, held=held, code=result.code, detail=str(result))
         began = time.process_time()
         try:
-            rows, history = (
-                [peak_at_boundary(peak) for peak in peaks(result)],
-                self._keep_history(held, result, heartbeat),
-            )
+            rows = [peak_at_boundary(peak) for peak in peaks(result)]
+            history = self._keep_history(held, result, heartbeat) if keeps else None
             record = processing(result)
         except Exception as error:
             return self._broken_off(held, error)
         cpu_s += time.process_time() - began
-        return partial(lease.succeed, held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
+        return Success(held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
 
-    def _broken_off(self, held: lease.Lease, error: Exception, ledger: ModuleType = lease) -> Outcome:
+    def _broken_off(self, held: lease.Lease, error: Exception, ledger: ModuleType = lease) -> Ending:
         """The outcome of an attempt that an exception ended."""
         if isinstance(error, lease.LeaseLostError):
             return _lost
@@ -176,23 +205,20 @@ class Worker:
         )
         return partial(ledger.give_up, held=held, max_attempts=self.settings.max_attempts, reason=reason, code=code)
 
-    def _keep_history(self, held: Claim, response: Response, heartbeat: Heartbeat) -> dict[str, Any] | None:
-        """Store the history, if a study asks for it, before the transaction that tells of it. Should that never
-        come, the object is an orphan, which the sweeper collects.
+    def _wanting_history(self, batch: Sequence[Claim]) -> set[int]:
+        with self.database.read() as session:
+            return wanting_history(session, [held.case_id for held in batch])
+
+    def _keep_history(self, held: Claim, response: Response, heartbeat: Heartbeat) -> dict[str, Any]:
+        """Store the history before the transaction that tells of it. Should that never come, the object is an orphan,
+        which the sweeper collects.
         """
-
-        def wanted() -> bool:
-            with self.database.read() as session:
-                return lease.wants_history(session, held.case_id)
-
-        if not self._patiently(wanted, held, heartbeat):
-            return None
         content = archive(response)
         key = f"{held.digest}/{held.attempt}-{held.token}.npz"
-        self._patiently(partial(self.histories.put, key, content), held, heartbeat)
+        self._patiently(partial(self.histories.put, key, content), [held], heartbeat)
         return {"key": key, "digest": hashlib.sha256(content).hexdigest(), "size_bytes": len(content)}
 
-    def _write(self, outcome: Outcome, held: lease.Lease, heartbeat: Heartbeat) -> bool:
+    def _write(self, outcome: Ending, held: lease.Lease, heartbeat: Heartbeat) -> bool:
         """Write an outcome down. False if the lease is lost."""
 
         def write() -> bool:
@@ -200,11 +226,11 @@ class Worker:
                 return outcome(session)
 
         try:
-            return self._patiently(write, held, heartbeat)
+            return self._patiently(write, [held], heartbeat)
         except lease.LeaseLostError:
             return False
 
-    def _patiently(self, step: Callable[[], T], held: lease.Lease, heartbeat: Heartbeat) -> T:
+    def _patiently(self, step: Callable[[], T], batch: Sequence[lease.Lease], heartbeat: Heartbeat) -> T:
         """What a step gives. While the database or the store is away, wait rather than lose what was computed.
 
         Raises
@@ -219,5 +245,5 @@ class Worker:
                 logs.unavailable("database", error)
             except STORE_ERRORS as error:
                 logs.unavailable("history store", error)
-            heartbeat.progress([held], 1.0)
+            heartbeat.progress(batch, 1.0)
             self.stopping.wait(PAUSE_S)

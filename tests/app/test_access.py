@@ -22,7 +22,7 @@ from app.db.models import ApiKey, Case, Peak
 from app.db.session import Database
 from app.settings import Settings
 from tests.app.conftest import TLS
-from worker import lease
+from tests.outcomes import succeed
 from worker.claim import Claim, claim
 from worker.cli import program
 
@@ -81,7 +81,7 @@ def finish(database: Database, cases: int, history: bool = False) -> None:
         (held,) = take(database)
         kept = {"key": f"{held.case_id}.npz", "digest": "d" * 64, "size_bytes": 1} if history else None
         with database.write() as session:
-            assert lease.succeed(session, held, peaks=[PEAK], processing={}, history=kept, cpu_s=10.0)
+            assert succeed(session, held, peaks=[PEAK], processing={}, history=kept, cpu_s=10.0)
 
 
 def post(client: httpx.Client, study: Body, *speeds: float, **more: Any) -> str:
@@ -497,7 +497,7 @@ def test_who_comes_back_again_and_again_does_not_starve_others(
         post(carl if n % 2 else ben, study, 200 + n)  # while the other's case runs
         annas += speeds_of(database, [held])[0] < 200
         with database.write() as session:
-            assert lease.succeed(session, held, peaks=[PEAK], processing={}, history=None, cpu_s=1.0)
+            assert succeed(session, held, peaks=[PEAK], processing={}, history=None, cpu_s=1.0)
     assert annas >= 3
 
 

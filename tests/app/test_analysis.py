@@ -17,7 +17,7 @@ from app.analysis.summary import describe
 from app.cases.schemas import case_file
 from app.db.models import STATISTICS, Case, Peak
 from app.db.session import Database
-from worker import lease
+from tests.outcomes import succeed
 from worker.claim import claim
 
 Check = Callable[..., dict[str, Any]]
@@ -62,7 +62,7 @@ def path(client: httpx.Client, database: Database) -> str:
                 {"quantity": quantity, "position": "wheelset_1", "unit": unit} | dict.fromkeys(STATISTICS, number(file))
                 for quantity, unit in (("wheel_rail_force", "N"), ("rail_displacement", "m"))
             ]
-            assert lease.succeed(session, held, peaks=peaks, processing={}, history=None, cpu_s=1.0)
+            assert succeed(session, held, peaks=peaks, processing={}, history=None, cpu_s=1.0)
     return f"/v1/studies/{study['id']}"
 
 

@@ -13,7 +13,8 @@ from app.db.models import Case, Event, Study
 from app.db.session import Database
 from app.studies.resonance import p2_hz
 from solver.catalogue import TRACKS, VEHICLES
-from worker import lease, presence
+from tests.outcomes import succeed
+from worker import presence
 from worker.claim import claim
 
 Check = Callable[..., dict[str, Any]]
@@ -24,7 +25,7 @@ def compute(database: Database, *cpu_s: float) -> None:
     for seconds in cpu_s:
         with database.write() as session:
             (held,) = claim(session, "test", 15.0, lanes=1)
-            assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=seconds)
+            assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=seconds)
 
 
 def announce(database: Database, *names: str) -> None:

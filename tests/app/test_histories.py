@@ -23,7 +23,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from solver.channels import CHANNELS
 from solver.simulate import Response
-from worker import lease
+from tests.outcomes import succeed
 from worker.claim import claim
 from worker.history import archive
 
@@ -80,7 +80,7 @@ def path(
     stored = {"key": KEY, "digest": hashlib.sha256(content).hexdigest(), "size_bytes": len(content)}
     with database.write() as session:
         (held,) = claim(session, "test", 15.0, lanes=1)
-        assert lease.succeed(session, held, peaks=[], processing={}, history=stored, cpu_s=1.0)
+        assert succeed(session, held, peaks=[], processing={}, history=stored, cpu_s=1.0)
     return f"/v1/cases/{held.case_id}/history"
 
 

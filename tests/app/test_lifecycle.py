@@ -12,6 +12,7 @@ from app.cases import queue
 from app.db.models import Case, Event, History, Peak, Study, StudyCase
 from app.db.session import Database
 from app.settings import Settings
+from tests import outcomes
 from worker import lease
 from worker.claim import Claim, claim
 
@@ -29,7 +30,7 @@ def take(database: Database, lanes: int = 1) -> list[Claim]:
 def succeed(database: Database, held: Claim, history: bool = False) -> bool:
     kept = {"key": f"{held.case_id}.npz", "digest": "d" * 64, "size_bytes": 1} if history else None
     with database.write() as session:
-        return lease.succeed(session, held, peaks=[PEAK], processing={}, history=kept, cpu_s=1.0)
+        return outcomes.succeed(session, held, peaks=[PEAK], processing={}, history=kept, cpu_s=1.0)
 
 
 def finish(database: Database, cases: int, *, fail: bool = False, history: bool = False) -> None:

@@ -20,7 +20,7 @@ from app.peaks.export import as_csv, export
 from app.peaks.schemas import COLUMNS, PeakFilters
 from app.studies.presets import PRESETS
 from app.studies.varying import varied_paths
-from worker import lease
+from tests.outcomes import succeed
 from worker.claim import claim
 
 Check = Callable[..., dict[str, Any]]
@@ -47,7 +47,7 @@ def peaks(client: httpx.Client, database: Database, study: dict[str, Any]) -> li
             (held,) = batch
             number += 1
             found = [peak("wheel_rail_force", 1e5 + number), peak("pad_force", 3e4), peak("pad_force", 2e4, "middle")]
-            assert lease.succeed(session, held, peaks=found, processing={}, history=None, cpu_s=1.0)
+            assert succeed(session, held, peaks=found, processing={}, history=None, cpu_s=1.0)
     return walk(client)
 
 
@@ -168,7 +168,7 @@ def varied(client: httpx.Client, database: Database, study: dict[str, Any]) -> d
     with database.write() as session:
         while batch := claim(session, "test", 15.0, lanes=1):
             found = [peak("pad_force", float(batch[0].case_id))]
-            assert lease.succeed(session, batch[0], peaks=found, processing={}, history=None, cpu_s=1.0)
+            assert succeed(session, batch[0], peaks=found, processing={}, history=None, cpu_s=1.0)
     return created
 
 

@@ -12,6 +12,7 @@ from sqlalchemy import func, select
 from app.db.models import Case, Event, IdempotencyKey, Study
 from app.db.session import Database
 from app.settings import Settings
+from tests.outcomes import succeed
 from worker import lease, presence
 from worker.claim import claim
 
@@ -26,7 +27,7 @@ def finish(database: Database, *, fail: bool = False) -> int:
         if fail:
             assert lease.fail(session, held, "diverged", "beyond all bounds")
         else:
-            assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
+            assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
     return held.case_id
 
 
@@ -63,7 +64,7 @@ def test_a_study_comes_to_its_end(client: httpx.Client, database: Database, stud
     with database.write() as session:
         presence.announce(session, "one", 600.0)
     with database.write() as session:
-        assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
+        assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.5)
     assert datetime.fromisoformat(client.get(url).json()["finish"]["expected"]).tzinfo is not None
     for _ in range(3):
         finish(database)
@@ -105,7 +106,7 @@ def test_cases_in_flight_are_shared(client: httpx.Client, database: Database, st
     second = client.post("/v1/studies", json=study).headers["location"]
     assert count(database, Case) == 4
     with database.write() as session:
-        assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.0)
+        assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.0)
     for _ in range(3):
         finish(database)
     assert [client.get(url).json()["state"] for url in (first, second)] == ["succeeded"] * 2
@@ -130,7 +131,7 @@ def test_a_case_says_how_its_peaks_were_derived_once_it_has_some(
     assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] is None
     record = {"sampling_step_s": 1e-4, "sperling_index": {"band_hz": [0.5, 80.0]}}
     with database.write() as session:
-        assert lease.succeed(session, held, peaks=[], processing=record, history=None, cpu_s=1.0)
+        assert succeed(session, held, peaks=[], processing=record, history=None, cpu_s=1.0)
     assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] == record
     client.post("/v1/studies", json=study | {"keep_history": True})  # to be computed once more
     assert client.get(f"/v1/cases/{held.case_id}").json()["processing"] is None

@@ -17,7 +17,7 @@ from app.db.models import Event
 from app.db.session import Database
 from app.settings import Settings
 from app.studies import watch
-from worker import lease
+from tests.outcomes import succeed
 from worker.claim import claim
 
 Check = Callable[..., dict[str, Any]]
@@ -57,7 +57,7 @@ def drain(database: Database, permits: threading.Semaphore | None = None) -> Non
                 return
             for held in batch:
                 with database.write() as session:
-                    assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.0)
+                    assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=1.0)
 
     with ThreadPoolExecutor(4) as pool:
         list(pool.map(work, range(4)))
@@ -151,14 +151,14 @@ def test_events_of_a_study_are_committed_in_order(
         postgresql = session.get_bind().dialect.name == "postgresql"
     outcome: dict[str, Any] = {"peaks": [], "processing": {}, "history": None, "cpu_s": 1.0}
     with database.write() as session:
-        assert lease.succeed(session, first, **outcome)
+        assert succeed(session, first, **outcome)
         if postgresql:
             with Session(database.engine) as other:
                 other.execute(text("SET LOCAL lock_timeout = '50ms'"))
                 with pytest.raises(OperationalError, match="lock timeout"):
-                    lease.succeed(other, second, **outcome)
+                    succeed(other, second, **outcome)
     with database.write() as session:
-        assert lease.succeed(session, second, **outcome)
+        assert succeed(session, second, **outcome)
 
 
 @pytest.fixture

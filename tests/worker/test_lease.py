@@ -16,6 +16,7 @@ from app.db.types import Clock
 from app.idempotency import KEPT_S
 from app.studies import service
 from app.studies.schemas import StudyDetail
+from tests.outcomes import succeed
 from worker import claim as claims
 from worker import lease
 from worker.claim import Claim
@@ -60,7 +61,7 @@ def claim_all(url: str) -> list[int]:
                 return mine
             for held in batch:
                 with database.write() as session:
-                    assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=0.0)
+                    assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=0.0)
                 mine.append(held.case_id)
 
     with ThreadPoolExecutor(4) as pool:
@@ -98,7 +99,7 @@ def test_the_last_two_cases_end_at_once(database: Database, submit: Submit) -> N
 
         def end(one: Claim) -> None:
             with database.write() as session:
-                assert lease.succeed(session, one, peaks=[], processing={}, history=None, cpu_s=0.0)
+                assert succeed(session, one, peaks=[], processing={}, history=None, cpu_s=0.0)
 
         with ThreadPoolExecutor(2) as pool:
             list(pool.map(end, held))
@@ -143,13 +144,13 @@ def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(
     found = [{"quantity": "pad_force", "position": "middle", "unit": "N"} | dict.fromkeys(STATISTICS, 1.0)]
     with database.write() as session:
         assert not lease.extend(session, late, 15.0, 0.9)
-        assert not lease.succeed(session, late, peaks=found, processing={}, history=None, cpu_s=1.0)
+        assert not succeed(session, late, peaks=found, processing={}, history=None, cpu_s=1.0)
         assert not lease.fail(session, late, "diverged", "late")
         assert not lease.give_up(session, late, 3, "late")
         assert not lease.release(session, late)
     assert (get(database, late.case_id).state, get(database, late.case_id).progress) == ("running", 0)
     with database.write() as session:
-        assert lease.succeed(session, again, peaks=found, processing={}, history=None, cpu_s=1.0)
+        assert succeed(session, again, peaks=found, processing={}, history=None, cpu_s=1.0)
     with database.read() as session:
         assert session.scalar(select(func.count()).select_from(Peak)) == 1
 
@@ -222,12 +223,12 @@ def test_a_history_that_is_wanted_late_is_computed_once_more(database: Database,
     held = claim(database)
     submit(300, keep_history=True)
     with database.write() as session:
-        assert lease.succeed(session, held, peaks=[], processing={}, history=None, cpu_s=0.0)
+        assert succeed(session, held, peaks=[], processing={}, history=None, cpu_s=0.0)
     assert get(database, held.case_id).state == "queued"
     again = claim(database)
     history = {"key": "k", "digest": "d" * 64, "size_bytes": 1}
     with database.write() as session:
-        assert lease.succeed(session, again, peaks=[], processing={}, history=history, cpu_s=0.0)
+        assert succeed(session, again, peaks=[], processing={}, history=history, cpu_s=0.0)
     assert get(database, held.case_id).state == "succeeded"
 
 

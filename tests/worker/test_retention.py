@@ -14,6 +14,7 @@ from app.db.models import Case, Event, History, Peak, Study, StudyCase, Verifica
 from app.settings import Settings
 from app.studies import lifecycle, service
 from app.studies.schemas import StudyDetail
+from tests.outcomes import succeed
 from worker import lease, retention
 from worker.claim import claim
 from worker.sweeper import Sweeper
@@ -34,7 +35,7 @@ def finish_all(context: Context, state: str = "succeeded") -> None:
                     lease.fail(session, held, "diverged", "for a test")
                     continue
                 history = {"key": f"{held.case_id}.npz", "digest": "d" * 64, "size_bytes": 1}
-                assert lease.succeed(session, held, peaks=[PEAK], processing={}, history=history, cpu_s=1.0)
+                assert succeed(session, held, peaks=[PEAK], processing={}, history=history, cpu_s=1.0)
         if not batch:
             return
 

@@ -11,6 +11,7 @@ from app.context import Context
 from app.queue import QUEUE, Doorbell
 from app.settings import Settings
 from app.studies.schemas import StudyDetail
+from tests.outcomes import succeed
 from worker import lease
 from worker.claim import claim
 from worker.sweeper import ORPHANED_AFTER_S, Sweeper, collect_orphans
@@ -47,7 +48,7 @@ def test_orphans_are_collected(context: Context, submit: Submit, tmp_path: Path)
     with context.database.write() as session:
         told, untold = claim(session, "test", 15.0), claim(session, "test", 15.0)
         history = {"key": "told/1-a.npz", "digest": "d" * 64, "size_bytes": 7}
-        assert lease.succeed(session, told[0], peaks=[], processing={}, history=history, cpu_s=0.0)
+        assert succeed(session, told[0], peaks=[], processing={}, history=history, cpu_s=0.0)
     waiting = f"waiting/1-{untold[0].token}.npz"  # of a worker that has waited for the database
     old = ["told/1-a.npz", waiting, "orphan/1-b.npz"]
     store = context.histories

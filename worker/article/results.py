@@ -62,7 +62,7 @@ class Cases:
         return len(self.columns["case_id"])
 
     def __getitem__(self, name: str) -> Array:
-        return self.columns[name]
+        return self.columns[name] if len(self) else np.empty(0)  # where all cases diverged, nothing tells of columns
 
     def where(self, **conditions: Any) -> "Cases":
         """Those that meet all conditions."""
