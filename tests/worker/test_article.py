@@ -20,10 +20,13 @@ from solver.verification.problems import make_case, solved
 from worker.article import strip
 from worker.article.figures import PICTURES
 from worker.article.outcome import Sample, elasticities, joint_differences
-from worker.article.report import write_report
+from worker.article.report import render, write_report
 from worker.article.reported import TABLE_1_TARGETS, TABLE_2_TARGETS
 from worker.article.results import CONDITIONS, PEAKS, Cases, Results
+from worker.article.run import RESULTS
 from worker.article.studies import PRESETS, studies
+
+DOCS = Path(__file__).parents[2] / "docs"
 
 
 def made_up(number: int, case: Case, paths: list[str]) -> dict[str, object]:
@@ -80,6 +83,10 @@ def test_a_report_is_written_with_its_pictures(tmp_path: Path) -> None:
     assert {path.name: path.read_bytes() for path in (tmp_path / "article").iterdir()} == pictures
 
 
+def test_the_report_that_is_kept_comes_from_the_results_that_are_kept() -> None:
+    assert (DOCS / "article.md").read_text() == render(Results.read(DOCS / RESULTS))
+
+
 def test_every_study_is_one() -> None:
     counted = {name: StudyRequest.model_validate(study).count() for name, study in studies().items()}
     assert counted["ensemble"] == 64 * 7
@@ -104,6 +111,10 @@ def test_rows_become_cases() -> None:
     assert cases["track.pad_mass"].tolist() == [1.5, 1.5]
     assert cases["mean_force"].tolist() == [0.5, 0.5]
     assert "percentile" not in cases.to_json()
+
+
+def test_where_all_cases_diverged_there_are_none() -> None:
+    assert len(Cases.from_rows([]).where(percentile=25.0)["pad_force"]) == 0
 
 
 def test_joints_add_the_difference_of_equal_speeds() -> None:

@@ -20,6 +20,7 @@ from worker.article.results import Results
 from worker.article.studies import WAVELENGTHS_M, parameters
 
 BLUE, ORANGE, GREEN, PINK, SKY, INK = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#333333"  # Okabe and Ito
+FITS = 10_000  # larger numbers find no room in a field
 COLOURS = (BLUE, ORANGE, GREEN, PINK, SKY)
 STYLE: Any = {
     "svg.hashsalt": "tracksweep",

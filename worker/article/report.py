@@ -15,6 +15,7 @@ from worker.article.figures import LOOKED_AT, TITLES, label, p2, write_pictures
 from worker.article.hypotheses import AS_DESCRIBED, HYPOTHESES, PER_RAD_FACTOR
 from worker.article.results import Results
 
+FAR = 100.0  # what is that far off tells of an instability only
 TEMPLATE = Path(__file__).with_name("report.md.j2")
 
 
@@ -38,7 +39,7 @@ def render(results: Results) -> str:
     environment = jinja2.Environment(  # noqa: S701 - Markdown, of numbers
         undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
     )
-    environment.filters |= {"digits": digits, "percent": percent, "near": near}
+    environment.filters |= {"digits": minus, "percent": percent, "near": near, "rms": rms}
     functions = {
         name: _bound(getattr(outcome, name), results)
         for name in ("sample", "single", "under", "residual", "dynamic_ratio", "elasticities", "numerics_errors")
@@ -79,6 +80,11 @@ def _bound(function: Any, results: Results) -> Any:
     return lambda *arguments: function(results, *arguments)
 
 
+def minus(number: float) -> str:
+    """A number's digits, as it is written in text."""
+    return digits(number).replace("-", "−")
+
+
 def percent(part: float, places: int = 1) -> str:
     """A part of one in percent, with its sign."""
     return f"{100 * part:+.{places}f}".replace("-", "−")
@@ -88,5 +94,14 @@ def near(part: float | None) -> str:
     """The same in whole percent, bold where it is within reach."""
     if part is None:
         return "diverges"
+    if part > FAR:
+        return f"> +{100 * FAR:.0f}"
     text = percent(part, 0)
     return f"**{text}**" if abs(part) <= outcome.NEAR else text
+
+
+def rms(part: float | None) -> str:
+    """A root mean square in whole percent."""
+    if part is None:
+        return ""
+    return f"> {100 * FAR:.0f}" if part > FAR else f"{100 * part:.0f}"
