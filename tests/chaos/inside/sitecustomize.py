@@ -82,7 +82,7 @@ def prepare_worker() -> None:
 
     wrap(Worker, "_claim", then=lambda: die_if_asked("worker-after-claim"))
     wrap(HistoryStore, "put", then=lambda: die_if_asked("worker-between-object-and-commit"))
-    wrap(Worker, "_write", then=lambda: die_if_asked("worker-after-commit"))
+    wrap(Worker, "_write_together", then=lambda: die_if_asked("worker-after-commit"))
     if "CHAOS_WITHOUT_TOKENS" in os.environ:
         forget_tokens()
 
@@ -92,14 +92,17 @@ def forget_tokens() -> None:
     from sqlalchemy import select, update  # noqa: PLC0415
 
     from app.db.models import Case  # noqa: PLC0415
-    from worker import lease  # noqa: PLC0415
+    from worker import lease, success  # noqa: PLC0415
 
     def change(session: Any, held: Any, values: dict[str, Any]) -> bool:
         row = update(Case).where(Case.id == held.case_id)
         return session.scalar(row.values(values).returning(Case.id)) is not None
 
-    lease._change = change
-    lease._lock = lambda session, held: session.scalar(select(Case.id).where(Case.id == held.case_id)) is not None
+    def lock(session: Any, leases: Any) -> dict[int, Any]:
+        columns = select(Case.id, Case.speed_kmh, Case.percentile)
+        return {row.id: row for row in session.execute(columns.where(Case.id.in_([held.case_id for held in leases])))}
+
+    lease._change, success._lock = change, lock
 
 
 def prepare_supervisor() -> None:

@@ -1,0 +1,121 @@
+"""How many cases per second database and broker sustain, from workers on four hosts whose solver sleeps.
+
+python -m benchmarks.scale [--seconds S]
+"""
+
+import argparse
+import time
+from collections.abc import Sequence
+from typing import Any
+
+import psutil
+from sqlalchemy import text
+
+from app.db.session import Database
+from benchmarks.results import Result, publish
+from tests.cluster import Cluster, cluster
+
+HOSTS = 4
+WORKERS = (4, 8, 12, 16, 24)
+SLEEP_S = 0.5  # of a batch
+LANES = 8
+SPEEDS, AMPLITUDES, WAVELENGTHS = 25, 80, 5  # 10 000 cases: as many as a study may have
+CALM_S = 5.0  # after a change of workers
+DAY_S = 86400.0
+CASE_CPU_S = 1.0  # of the model below
+CORES = (2, 16, 100, 1000, 10_000)
+HISTORY_MB = 2.0
+
+HOW = """API, PostgreSQL (durable, `max_wal_size=4GB`, all else as it comes) and broker on one host, workers on {hosts}
+others, each in a network namespace of one machine of {cores} cores, which they share. Workers claim, extend leases, and
+write what a case has, {peaks} peaks under all indexes; only the solver is replaced by a sleep of {sleep} s per batch of
+{lanes}. *Offered* is what the sleeps allow. Processor times per case are those of all of PostgreSQL and of all
+workers."""
+
+
+def study(number: int) -> dict[str, Any]:
+    """Cases that nothing has computed yet."""
+    wave = {
+        "kind": "harmonic",
+        "wavelength_m": [1.0 + 0.1 * n for n in range(WAVELENGTHS)],
+        "amplitude_mm": [(1 + n) / 1000 for n in range(AMPLITUDES)],
+    }
+    speeds = [100.0 + 10 * number + n / 10 for n in range(SPEEDS)]
+    return {"name": "many", "sweep": {"kind": "product", "speed_kmh": speeds, "irregularity": wave}}
+
+
+def finished(database: Database) -> int:
+    """Cases that have ended."""
+    with database.read() as session:
+        return int(session.scalar(text("SELECT COUNT(*) FROM \"case\" WHERE state = 'succeeded'")) or 0)
+
+
+def cpu_s(processes: Sequence[psutil.Process]) -> float:
+    """Processor time so far."""
+    return sum(sum(each.cpu_times()[:2]) for each in processes)
+
+
+def of_postgres(made: Cluster) -> list[psutil.Process]:
+    """Its processes."""
+    folder = str(made.postgres.folder)
+    return [each for each in psutil.process_iter() if each.name() == "postgres" and each.cwd().startswith(folder)]
+
+
+def measure(made: Cluster, database: Database, seconds: float) -> tuple[float, float, float]:
+    """Cases per second, and processor time per case of PostgreSQL and of the workers, ms."""
+    parts = of_postgres(made), [psutil.Process(each.pid) for each in made.running if each is not made.api]
+    done, began, used = finished(database), time.monotonic(), [cpu_s(each) for each in parts]
+    time.sleep(seconds)
+    cases, took_s = finished(database) - done, time.monotonic() - began
+    spent = [1e3 * (cpu_s(each) - before) / cases for each, before in zip(parts, used, strict=True)]
+    return cases / took_s, spent[0], spent[1]
+
+
+def run(seconds: float) -> Result:
+    """Start more and more workers."""
+    table = [["workers", "offered, cases/s", "cases/s", "PostgreSQL, ms/case", "workers, ms/case"]]
+    rates = []
+    with cluster(HOSTS) as made:
+        database = Database(made.local_url)
+        studies = 0
+        for count in WORKERS:
+            queued = 10_000 * studies - finished(database)
+            while queued < 400 * (seconds + CALM_S):
+                made.http.post("/v1/studies", json=study(studies), timeout=300).raise_for_status()
+                studies, queued = studies + 1, queued + 10_000
+            while len(made.workers()) < count:
+                started = sum(each is not made.api for each in made.running[1:])
+                for n in range(started, count):
+                    made.start_worker(made.others[n % HOSTS], ("-m", "benchmarks.sleeper", str(SLEEP_S)))
+                time.sleep(0.5)
+            time.sleep(CALM_S)
+            rate, server_ms, worker_ms = measure(made, database, seconds)
+            rates.append(rate)
+            offered = count * LANES / SLEEP_S
+            table.append([str(count), *(f"{value:.1f}" for value in (offered, rate, server_ms, worker_ms))])
+            print(table[-1], flush=True)
+        with database.read() as session:
+            size = int(session.scalar(text("SELECT pg_database_size(current_database())")) or 0)
+            cases = finished(database)
+            peaks = int(session.scalar(text("SELECT COUNT(*) FROM peak")) or 0) / cases
+        database.close()
+    saturated = max(rates)
+    return Result(
+        title="Cases per second that the queue sustains",
+        how=HOW.format(hosts=HOSTS, cores=psutil.cpu_count(), peaks=round(peaks), sleep=SLEEP_S, lanes=LANES),
+        command="python -m benchmarks.scale",
+        values={"cases_per_s": saturated, "database_kb_per_case": size / cases / 1e3},
+        table=table,
+    )
+
+
+def main() -> None:
+    """Run it from the command line."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--seconds", type=float, default=20.0, help="at every number of workers")
+    options = parser.parse_args()
+    publish("scale", run(options.seconds))
+
+
+if __name__ == "__main__":
+    main()
