@@ -20,7 +20,7 @@ from tests.hosts import Host, network
 
 PORT = 8000
 WORKER = ("-m", "worker.cli", "worker")
-DURABLE = "-c max_wal_size=4GB"  # and all else as PostgreSQL comes
+DURABLE = "-c max_wal_size=4GB -c shared_buffers=1GB"  # and all else as PostgreSQL comes
 START_S = 120.0
 
 
