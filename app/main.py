@@ -6,8 +6,7 @@ from contextlib import asynccontextmanager, suppress
 from importlib.metadata import version
 
 import structlog
-from fastapi import APIRouter, Depends, FastAPI
-from sqlalchemy import select
+from fastapi import Depends, FastAPI
 from sqlalchemy.exc import SQLAlchemyError
 
 from app import log, openapi, problems
@@ -18,10 +17,11 @@ from app.access.routes import router as shares
 from app.analysis.routes import router as analysis
 from app.cases.routes import router as cases
 from app.catalogue.routes import router as catalogue
-from app.context import Context, ContextDep
-from app.db.models import Study
+from app.context import Context
 from app.db.session import Database
 from app.histories.routes import router as histories
+from app.metrics.http import Requests, RequestsMiddleware
+from app.metrics.routes import router as operations
 from app.pages import add_pages
 from app.peaks.routes import of_cases
 from app.peaks.routes import router as peaks
@@ -36,23 +36,6 @@ from app.studies.routes import router as studies
 from app.verifications.routes import router as verifications
 from app.web.routes import add_web
 from app.workload.routes import router as workload
-
-health = APIRouter(include_in_schema=False)
-
-
-@health.get("/healthz")
-def healthz() -> dict[str, str]:
-    """Whether the process runs."""
-    return {"status": "ok"}
-
-
-@health.get("/readyz")
-def readyz(context: ContextDep) -> dict[str, str]:
-    """Whether requests can be served: the database answers and has its tables."""
-    with context.database.read() as session:
-        session.execute(select(Study.id).limit(1))
-    return {"status": "ok"}
-
 
 def _warn_without_keys(context: Context) -> None:
     if not keys_required(context.settings):
@@ -99,12 +82,14 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.state.context = context
     app.state.rates = Rates(settings)
     app.state.watchers = threading.BoundedSemaphore(settings.max_watchers)
+    app.state.requests = Requests()
+    app.add_middleware(RequestsMiddleware, requests=app.state.requests)
     app.add_middleware(HeadMiddleware)
     app.add_middleware(RequestIdMiddleware)
     problems.install(app)
     add_pages(app)
     add_web(app)
-    app.include_router(health)
+    app.include_router(operations)
     for router in (
         studies,
         shares,

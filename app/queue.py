@@ -51,6 +51,16 @@ class Doorbell:
             return False
         return True
 
+    def answers(self) -> bool:
+        """Whether the broker does."""
+        try:
+            with self._client.connection_for_write() as connection:
+                self._waiting(connection)
+        except Exception as error:  # as above
+            log.unavailable("broker", error)
+            return False
+        return True
+
     def _waiting(self, connection: Connection) -> bool:
         channel: Any = connection.default_channel
         try:

@@ -8,12 +8,16 @@ from collections.abc import Iterator
 from contextlib import suppress
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 from obstore.exceptions import BaseError
 from obstore.store import LocalStore, ObjectStore, from_url
 
 STORE_ERRORS = (OSError, BaseError)
+
+PROBE = "probe"  # the name of an object that is deleted at once
+SOON: Any = {"client_options": {"timeout": "2s"}, "retry_config": {"max_retries": 0}}
 
 _FULL = (errno.ENOSPC, errno.EDQUOT)
 _FULL_SQLSTATE = "53100"  # PostgreSQL's
@@ -31,12 +35,19 @@ def is_full(error: BaseException) -> bool:
 
 
 class HistoryStore:
-    """Objects below a URL: ``file:///FOLDER`` (created when missing) or ``s3://BUCKET/PREFIX``."""
+    """Objects below a URL: ``file:///FOLDER`` (created when missing) or ``s3://BUCKET/PREFIX``.
+
+    Attributes
+    ----------
+    folder : Path or None
+        Where it is one.
+    """
 
     def __init__(self, url: str) -> None:
         parts = urlsplit(url)
-        self._folder = Path(unquote(parts.path)) if parts.scheme == "file" else None
-        self._store: ObjectStore = LocalStore.from_url(url, mkdir=True) if self._folder else from_url(url)
+        self.folder = Path(unquote(parts.path)) if parts.scheme == "file" else None
+        self._store: ObjectStore = LocalStore.from_url(url, mkdir=True) if self.folder else from_url(url)
+        self._probed = self._store if self.folder else from_url(url, **SOON)
 
     def put(self, key: str, content: bytes) -> None:
         """Write an object, whole or not at all."""
@@ -58,6 +69,12 @@ class HistoryStore:
         with suppress(FileNotFoundError):
             self._store.delete(key)
 
+    def probe(self) -> None:
+        """Find out within seconds whether objects can be written."""
+        self._probed.put(PROBE, b"")
+        with suppress(FileNotFoundError):  # several may probe at once
+            self._probed.delete(PROBE)
+
     def keys_older_than(self, age_s: float) -> Iterator[str]:
         """Keys of objects written longer ago, give or take how much its clock differs from ours."""
         before = datetime.now(UTC) - timedelta(seconds=age_s)
@@ -65,9 +82,9 @@ class HistoryStore:
 
     def remove_pieces_older_than(self, age_s: float) -> None:
         """Delete what writers that were killed have left in a folder: ``KEY#1`` and the like, which are no objects."""
-        if self._folder is None:
+        if self.folder is None:
             return
-        for piece in self._folder.rglob("*#*"):
+        for piece in self.folder.rglob("*#*"):
             with suppress(FileNotFoundError):  # it is an object by now
                 if piece.stat().st_mtime < time.time() - age_s:
                     piece.unlink()

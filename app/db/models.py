@@ -24,6 +24,7 @@ EventKind = Literal["state", "case", "done"]
 VerificationState = Literal["queued", "running", "succeeded", "failed"]
 VerificationOutcome = Literal["same", "differs"]
 Scope = Literal["read", "write", "admin"]
+SCHEMA = "0010"  # the revision of the migrations that makes these tables
 
 
 class Base(DeclarativeBase):
@@ -75,6 +76,7 @@ class Study(Base):
     started_at: Mapped[float | None]
     finished_at: Mapped[float | None]
     cancel_requested_at: Mapped[float | None]
+    request_id: Mapped[str | None] = mapped_column(String(32))  # that created it, for the logs
 
 
 class Case(Base):
@@ -289,3 +291,13 @@ class IdempotencyKey(Base):
     request_digest: Mapped[str] = mapped_column(String(64))
     response: Mapped[dict[str, Any]]
     created_at: Mapped[float] = mapped_column(default=Clock(), index=True)
+
+
+class Tally(Base):
+    """One of the counts that operators are shown."""
+
+    __tablename__ = "tally"
+
+    name: Mapped[str] = mapped_column(String(32), primary_key=True)
+    label: Mapped[str] = mapped_column(String(32), primary_key=True)
+    value: Mapped[float]

@@ -10,6 +10,8 @@ from typing import Any
 from sqlalchemy import Connection, Engine, create_engine, event, make_url
 from sqlalchemy.orm import Session, sessionmaker
 
+from app.db import tally
+
 BUSY_TIMEOUT_MS = 30_000  # what a writer waits for another before it gives up
 SILENCE_MS = 25_000  # after which a peer on the network counts as gone
 
@@ -44,6 +46,7 @@ class Database:
         """A transaction that may change things."""
         with self._turn, self._writers.begin() as session:
             yield session
+            tally.write(session)
 
     @contextmanager
     def read(self) -> Iterator[Session]:
