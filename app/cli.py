@@ -46,6 +46,7 @@ def api(
     from uvicorn.supervisors import Multiprocess
 
     from app.console import WRONG_USAGE, fail
+    from app.metrics.together import counting_together
     from app.serve.service import CannotServeError, listen
 
     settings = load_settings(host=host, port=port)
@@ -56,12 +57,15 @@ def api(
     os.environ["TRACKSWEEP_HOST"] = listener.getsockname()[0]  # who can reach the API decides whether it asks for keys
     processes = settings.api_processes if fd is None else 1
     # A watcher's stream may stay open for hours: what is unfinished after two seconds is cut.
-    config = uvicorn.Config("app.main:create_app", factory=True, workers=processes, timeout_graceful_shutdown=2)
+    config = uvicorn.Config(
+        "app.main:create_app", factory=True, workers=processes, timeout_graceful_shutdown=2, access_log=False
+    )
     if processes == 1:
         uvicorn.Server(config).run(sockets=[listener])
         return
     config.timeout_worker_healthcheck = 30  # slow is not dead
-    Multiprocess(config, [listener]).run()
+    with counting_together(processes):
+        Multiprocess(config, [listener]).run()
 
 
 @service.command()

@@ -11,6 +11,7 @@ from typing import Any
 from sqlalchemy import exists, insert, select, update
 from sqlalchemy.orm import Session
 
+from app.db import tally
 from app.db.models import Case, CaseState, Event, EventKind, Study, StudyCase
 from app.db.types import Clock
 from app.studies import repository
@@ -38,6 +39,7 @@ def cases_ended(session: Session, case_ids: Sequence[int], state: CaseState) -> 
     Call it after the cases' own rows were updated. Their locks, and then the studies', order the ends of two
     last cases on PostgreSQL: without them each would see the other still running, and nobody would say `done`.
     """
+    tally.count(session, "cases_ended", state, len(case_ids))
     containing = select(StudyCase.study_id).where(StudyCase.case_id.in_(case_ids))
     studies = select(Study.id).where(Study.id.in_(containing), LIVE).order_by(Study.id)
     concerned = session.scalars(studies.with_for_update(key_share=True)).all()

@@ -37,6 +37,7 @@ from app.verifications.routes import router as verifications
 from app.web.routes import add_web
 from app.workload.routes import router as workload
 
+
 def _warn_without_keys(context: Context) -> None:
     if not keys_required(context.settings):
         return

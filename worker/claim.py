@@ -14,6 +14,7 @@ from sqlalchemy import Double, Row, Select, bindparam, func, select, update
 from sqlalchemy.orm import Session
 
 from app import events
+from app.db import tally
 from app.db.models import Case
 from app.db.types import Clock
 from solver.block import lane_width
@@ -66,6 +67,8 @@ def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES)
     taken = [{"taken_id": held.case_id, "token": held.token, "by": worker, "for_s": lease_s} for held in batch]
     session.connection().execute(_TAKE, taken)
     events.cases_started(session, [held.case_id for held in batch])
+    tally.count(session, "lanes", "yes", len(batch))
+    tally.count(session, "lanes", "no", lane_width(len(batch)) - len(batch))
     return batch
 
 

@@ -188,7 +188,8 @@ class Worker:
         except Exception as error:
             return self._broken_off(held, error)
         cpu_s += time.process_time() - began
-        return Success(held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s)
+        ran_s = result.case.numerics.settle + result.case.numerics.window
+        return Success(held=held, peaks=rows, processing=record, history=history, cpu_s=cpu_s, simulated_s=ran_s)
 
     def _broken_off(self, held: lease.Lease, error: Exception, ledger: ModuleType = lease) -> Ending:
         """The outcome of an attempt that an exception ended."""

@@ -19,6 +19,7 @@ from sqlalchemy import update
 from sqlalchemy.orm import Session
 
 from app import events
+from app.db import tally
 from app.db.models import Case, CaseState
 from app.db.types import Clock
 
@@ -59,6 +60,7 @@ def refuse(session: Session, case_id: int, code: str, detail: str) -> None:
 
 def give_up(session: Session, held: Lease, max_attempts: int, reason: str, code: str = "poison") -> bool:
     """End an attempt that had no outcome: queue the case again or, after the last attempt, let it fail."""
+    tally.count(session, "attempts_given_up", code)
     if held.attempt >= max_attempts:
         return fail(session, held, code, f"{held.attempt} attempts had no outcome; the last: {reason}")
     return _change(session, held, _QUEUED | {"error": {"code": "retried", "detail": reason}})

@@ -8,6 +8,7 @@ from sqlalchemy import ARRAY, Connection, bindparam, delete, exists, func, inser
 from sqlalchemy.orm import Session
 
 from app import events
+from app.db import tally
 from app.db.models import Case, History, Peak, Study, StudyCase
 from app.db.types import Clock
 from worker.lease import NO_LEASE, Lease, release
@@ -50,8 +51,8 @@ class Success:
         How the peaks were derived.
     history : dict, optional
         Columns of the table ``history``, of an object that is already stored.
-    cpu_s : float
-        Processor time, s.
+    cpu_s, simulated_s : float
+        Processor time, and time that the train ran, s.
     """
 
     held: Lease
@@ -59,6 +60,7 @@ class Success:
     processing: dict[str, Any]
     history: dict[str, Any] | None
     cpu_s: float
+    simulated_s: float
 
     def end(self) -> dict[str, Any]:
         """Values of the statement that ends the case."""
@@ -106,6 +108,8 @@ def _end(session: Session, done: Sequence[Success], cases: Mapping[int, Any]) ->
     if kept := [{"case_id": each.held.case_id, **each.history} for each in done if each.history is not None]:
         session.execute(delete(History).where(History.case_id.in_([row["case_id"] for row in kept])))
         session.execute(insert(History), kept)
+    tally.count(session, "solver_cpu_s", by=sum(each.cpu_s for each in done))
+    tally.count(session, "simulated_s", by=sum(each.simulated_s for each in done))
     events.cases_ended(session, ids, "succeeded")
 
 

@@ -10,6 +10,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from app import log as logs
+from app.db import tally
 from app.db.models import Case, History, IdempotencyKey, Verification
 from app.db.session import Database
 from app.db.types import Clock
@@ -68,6 +69,7 @@ def _take_back(session: Session, max_attempts: int) -> None:
     for row in session.execute(silent).all():
         held = lease.Lease(case_id=row.id, token=row.lease_token, attempt=row.attempt)
         log.warning("lease expired", case_id=row.id, attempt=row.attempt, worker=row.worker)
+        tally.count(session, "leases_expired")
         lease.give_up(session, held, max_attempts, f"worker {row.worker} fell silent")
 
 

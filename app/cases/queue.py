@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 from sqlalchemy import Row, delete, func, select, text, update
 from sqlalchemy.orm import Session
 
+from app.db import tally
 from app.db.models import Case, CaseState, Peak, Study, StudyCase
 from app.db.types import Clock
 
@@ -106,3 +107,4 @@ def call_off(session: Session, ids: Iterable[int]) -> None:
     values = {"state": "cancelled", "finished_at": Clock(), "lease_token": None, "lease_expires": None, "error": None}
     for some in batches(ids):
         session.execute(update(Case).where(Case.id.in_(some)).values(values))
+        tally.count(session, "cases_ended", "cancelled", len(some))

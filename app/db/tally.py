@@ -1,5 +1,5 @@
-"""What is counted for operators (docs/metrics.md): in the transaction that makes it happen, so it happens once or not
-at all, whatever processes and hosts there are. Rows are added to at the very end of a transaction and always in the
+"""What is counted for operators (docs/operations.md): in the transaction that makes it happen, so that it happens once
+or not at all, whatever processes and hosts there are. Rows are added to at the very end of a transaction, always in the
 same order, so that who counts neither waits long nor in a circle.
 """
 

@@ -1,22 +1,16 @@
-"""Requests: counted, timed and logged by route.
-
-Several processes behind one port count in files of a folder that the variable below names, and whichever is asked tells
-of all of them (prometheus-client's multiprocess mode). A process by itself counts in its memory.
-"""
+"""Requests: counted, timed and logged by route."""
 
 import os
-import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import structlog
+from prometheus_client import CollectorRegistry, Counter, Histogram, disable_created_metrics
+from prometheus_client.multiprocess import MultiProcessCollector
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-FOLDER = "PROMETHEUS_MULTIPROC_DIR"  # prometheus-client's own name
-IN_MEMORY = Path("/dev/shm")  # noqa: S108 - a full disk would kill whoever writes to a mapped file
+from app.metrics.together import FOLDER
+
 BUCKETS_S = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 METHODS = {"DELETE", "GET", "OPTIONS", "PATCH", "POST", "PUT"}
 PROBES = {"/healthz", "/readyz", "/metrics"}  # counted, but nobody wants to read of each
@@ -24,28 +18,10 @@ PROBES = {"/healthz", "/readyz", "/metrics"}  # counted, but nobody wants to rea
 log = structlog.get_logger()
 
 
-@contextmanager
-def counting_together(processes: int) -> Iterator[None]:
-    """Let the processes of the API that are started meanwhile count as one."""
-    if processes == 1:
-        yield
-        return
-    with tempfile.TemporaryDirectory(prefix="tracksweep-", dir=IN_MEMORY if IN_MEMORY.is_dir() else None) as folder:
-        os.environ[FOLDER] = folder
-        try:
-            yield
-        finally:
-            del os.environ[FOLDER]
-
-
 class Requests:
     """The metrics of requests. Timed is how long the answer takes to begin: a stream of events goes on for hours."""
 
     def __init__(self) -> None:
-        # It looks for the folder when it is imported.
-        from prometheus_client import CollectorRegistry, Counter, Histogram, disable_created_metrics  # noqa: PLC0415
-        from prometheus_client.multiprocess import MultiProcessCollector  # noqa: PLC0415
-
         disable_created_metrics()  # type: ignore[no-untyped-call]
         self.registry = CollectorRegistry()
         own = None if FOLDER in os.environ else self.registry

@@ -5,7 +5,8 @@ Nothing here reads more rows than wait or run, and of those that wait only what 
 
 import shutil
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple
 
 from prometheus_client import CollectorRegistry, Metric
 from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily
@@ -22,17 +23,31 @@ from app.db.models import Case, Verification, Worker
 from app.db.types import Clock
 from app.metrics import health
 
-# Counts of app.db.tally: their metric, what their label is, and what they tell.
-COUNTERS: dict[tally.Name, tuple[str, str | None, str]] = {
-    "cases_requested": ("cases_requested", "answer", "Cases that new studies contain: reused, or queued."),
-    "cases_ended": ("cases_ended", "state", "Cases that came to an end."),
-    "attempts_given_up": ("attempts_given_up", "reason", "Attempts without an outcome."),
-    "leases_expired": ("leases_expired", None, "Cases taken from workers that fell silent."),
-    "solver_cpu_s": ("solver_cpu_seconds", None, "Processor time of computed cases."),
-    "simulated_s": ("simulated_seconds", None, "Time that the trains of computed cases ran."),
-    "lanes": ("lanes", "filled", "Lanes of the blocks that workers began to compute."),
-}
 PREFIX = "tracksweep_"
+
+
+class Counted(NamedTuple):
+    """A metric of what is counted, with the values of its label that are shown from the start: what appears with its
+    first count has not grown, for Prometheus.
+    """
+
+    metric: str
+    text: str
+    label: str | None = None
+    values: tuple[str, ...] = ("",)
+
+
+COUNTED: dict[tally.Name, Counted] = {
+    "cases_requested": Counted("cases_requested", "Cases of new studies.", "answer", ("reused", "queued")),
+    "cases_ended": Counted("cases_ended", "Cases that ended.", "state", ("succeeded", "failed", "cancelled")),
+    "attempts_given_up": Counted(
+        "attempts_given_up", "Attempts that were broken off.", "reason", ("poison", "time-limit", "memory-limit")
+    ),
+    "leases_expired": Counted("leases_expired", "Cases taken from workers that fell silent."),
+    "solver_cpu_s": Counted("solver_cpu_seconds", "Processor time of computed cases."),
+    "simulated_s": Counted("simulated_seconds", "Time that trains ran in computed cases."),
+    "lanes": Counted("lanes", "Lanes of the blocks that workers began to compute.", "filled", ("yes", "no")),
+}
 
 
 class ServiceCollector(Collector):
@@ -92,16 +107,22 @@ def _queue(session: Session) -> Iterable[Metric]:
 
 def _counters(session: Session) -> Iterable[Metric]:
     counts = tally.read(session)
-    for name, (metric, label, help_) in COUNTERS.items():
-        family = CounterMetricFamily(PREFIX + metric, help_, labels=None if label is None else [label])
-        for (of, value_of_label), value in counts.items():
-            if of == name:
-                family.add_metric([] if label is None else [value_of_label], value)
+    for name, counted in COUNTED.items():
+        found = {label: value for (of, label), value in counts.items() if of == name}
+        labels = None if counted.label is None else [counted.label]
+        family = CounterMetricFamily(PREFIX + counted.metric, counted.text, labels=labels)
+        for label, value in (dict.fromkeys(counted.values, 0.0) | found).items():
+            family.add_metric([label] if labels else [], value)
         yield family
 
 
 def _gauge(
-    name: str, text: str, label: str | None = None, values: dict[str, float] | None = None, *, value: float | None = 0
+    name: str,
+    text: str,
+    label: str | None = None,
+    values: Mapping[Any, float] | None = None,
+    *,
+    value: float | None = 0,
 ) -> Metric:
     family = GaugeMetricFamily(PREFIX + name, text, labels=None if label is None else [label])
     for of, each in ({"": value or 0.0} if values is None else values).items():

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import httpx
 
+from app.metrics.together import counting_together
 from app.serve.broker import broker_part
 from app.serve.supervisor import Part, supervise
 from app.settings import Settings
@@ -70,7 +71,12 @@ def serve(settings: Settings) -> None:
         (data / "logs").mkdir(mode=0o700, parents=True, exist_ok=True)
     except OSError as error:
         raise CannotServeError(f"Cannot keep data in {data}: {error.strerror}.") from None
-    with sole_owner(data), listen(settings.host, settings.port) as listener, _announcement(data, listener) as announce:
+    with (
+        sole_owner(data),
+        listen(settings.host, settings.port) as listener,
+        counting_together(settings.api_processes),
+        _announcement(data, listener) as announce,
+    ):
         os.environ["TRACKSWEEP_DATA_DIR"] = str(data)  # for every part, whatever folder it runs in
         for previous in (data / "logs").glob("*.log"):
             previous.replace(previous.with_suffix(".log.1"))

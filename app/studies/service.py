@@ -7,6 +7,7 @@ from uuid import uuid4
 
 from sqlalchemy import Row, insert
 from sqlalchemy.orm import Session
+from structlog.contextvars import get_contextvars
 
 from app import events, idempotency
 from app.access import quotas, visibility
@@ -14,6 +15,7 @@ from app.access.caller import ANYBODY, Caller, forbidden
 from app.cases import queue
 from app.cases.repository import enqueue, row_of
 from app.context import Context
+from app.db import tally
 from app.db.models import Study, StudyCase
 from app.problems import FieldProblem, Problem, invalid, not_found
 from app.profiles import repository as profiles
@@ -122,6 +124,8 @@ def list_page(session: Session, query: StudyQuery, max_page_size: int, caller: C
 def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, Any]], caller: Caller) -> str:
     begin = queue.next_turn(session, request.priority, caller.key_id)
     enqueued = enqueue(session, rows, begin, keep_history=request.keep_history, charged_to=caller.key_id)
+    tally.count(session, "cases_requested", "reused", enqueued.reused)
+    tally.count(session, "cases_requested", "queued", enqueued.end - begin)
     if enqueued.charged:
         quotas.check(session, caller)
     study = Study(
@@ -134,6 +138,7 @@ def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, An
         keep_history=request.keep_history,
         request=request.model_dump(mode="json", exclude_unset=True),
         cases_reused=enqueued.reused,
+        request_id=get_contextvars().get("request_id"),
     )
     session.add(study)
     session.flush()  # before the rows that refer to it
