@@ -16,24 +16,23 @@ NOT_READY = {
 
 
 def parts(context: Context) -> dict[str, str]:
-    """The state of each: the database answers and has the tables of this release, the broker answers, and histories
-    can be stored.
-    """
+    """The state of database and broker, and of the store: whether histories can be written. May take seconds."""
     return {
-        "database": _database(context),
+        "database": database(context),
         "broker": OK if context.doorbell.answers() else AWAY,
         "histories": _histories(context),
     }
 
 
-def _database(context: Context) -> str:
+def database(context: Context) -> str:
+    """Whether it answers, and has the tables of this release or of a newer one, as in an upgrade under way."""
     try:
         with context.database.read() as session:
             revision = session.scalar(text("SELECT version_num FROM alembic_version"))
     except SQLAlchemyError as error:
         log.unavailable("database", error)
         return AWAY
-    return OK if str(revision) >= SCHEMA else OUTDATED  # a newer one is that of an upgrade under way
+    return OK if str(revision) >= SCHEMA else OUTDATED
 
 
 def _histories(context: Context) -> str:
