@@ -5,7 +5,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -53,13 +53,25 @@ class Cluster:
         }
         (folder / "data").mkdir()
         self.running: list[subprocess.Popen[bytes]] = []
+        self.http = httpx.Client(base_url=f"http://{self.center.address}:{PORT}", timeout=60, trust_env=False)
+
+    def start(self) -> None:
+        """Start the broker and the API, and wait for them."""
         broker = ["--bind", self.center.address, "--protected-mode", "no", "--appendonly", "yes", "--save", ""]
-        broker += ["--maxmemory-policy", "noeviction", "--dir", str(folder)]
+        broker += ["--maxmemory-policy", "noeviction", "--dir", str(self.folder)]
         self._start(self.center, "broker", [server(), *broker])
         api = ["-m", "worker.cli", "api", "--host", self.center.address, "--port", str(PORT)]
         self.api = self._start(self.center, "api", [sys.executable, *api])
-        self.http = httpx.Client(base_url=f"http://{self.center.address}:{PORT}", timeout=60, trust_env=False)
-        self._wait()
+        deadline = time.monotonic() + START_S
+        while not self._ready():
+            if time.monotonic() > deadline or self.api.poll() is not None:
+                raise TimeoutError((self.folder / "api.log").read_text())
+            time.sleep(0.1)
+
+    def _ready(self) -> bool:
+        with suppress(httpx.HTTPError):
+            return self.http.get("/readyz").is_success
+        return False
 
     def start_worker(self, host: Host, command: Sequence[str] = WORKER) -> subprocess.Popen[bytes]:
         """One more worker on a host."""
@@ -78,18 +90,6 @@ class Cluster:
         self.running.append(process)
         return process
 
-    def _wait(self) -> None:
-        deadline = time.monotonic() + START_S
-        while True:
-            try:
-                if self.http.get("/readyz").is_success:
-                    return
-            except httpx.HTTPError:
-                pass
-            if time.monotonic() > deadline or self.api.poll() is not None:
-                raise TimeoutError((self.folder / "api.log").read_text())
-            time.sleep(0.1)
-
     def close(self) -> None:
         self.http.close()
         for process in self.running:
@@ -104,6 +104,7 @@ def cluster(others: int, **environment: str) -> Iterator[Cluster]:
     with tempfile.TemporaryDirectory(prefix="ts", ignore_cleanup_errors=True) as folder, network(others + 1) as hosts:
         made = Cluster(Path(folder), hosts, environment)
         try:
+            made.start()
             yield made
         finally:
             made.close()
