@@ -1,6 +1,7 @@
 """What the bell sets off."""
 
 import faulthandler
+import os
 import threading
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,6 @@ from celery.signals import worker_init, worker_ready, worker_shutting_down
 from app.queue import WORK
 from worker import memory
 from worker.celery import SETTINGS, app
-from worker.priority import stand_back
 from worker.sweeper import Sweeper
 from worker.unable import UnableWorker
 
@@ -58,7 +58,7 @@ def _compile(**_: Any) -> None:
 @worker_init.connect  # type: ignore[untyped-decorator]  # as above
 def _be_modest(**_: Any) -> None:
     memory.limit_to(SETTINGS.case_memory_mb)
-    stand_back(SETTINGS.worker_nice)
+    os.nice(SETTINGS.worker_nice)
 
 
 @worker_ready.connect  # type: ignore[untyped-decorator]  # as above
