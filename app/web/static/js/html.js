@@ -22,12 +22,15 @@ export const $ = (id) => document.getElementById(id);
 
 const whenIdle = window.requestIdleCallback ?? setTimeout; // Safari has none
 
-/** A function that draws things one by one, when nothing else is to be done, until others are to be drawn. */
+/** A function that draws the first of many things at once and the others when nothing else is to be done, until other
+ * things are to be drawn.
+ */
 export const inTurns = (draw) => {
   let now;
-  return async (things) => {
+  return async ([first, ...others]) => {
     const mine = (now = {});
-    for (const thing of things) {
+    if (first) draw(first);
+    for (const thing of others) {
       await new Promise((resolve) => whenIdle(resolve));
       if (now !== mine) return;
       draw(thing);
