@@ -5,7 +5,8 @@ python -m benchmarks.scale [--seconds S]
 
 import argparse
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from typing import Any
 
 import psutil
@@ -46,25 +47,37 @@ def finished(database: Database) -> int:
         return int(session.scalar(text("SELECT COUNT(*) FROM \"case\" WHERE state = 'succeeded'")) or 0)
 
 
-def cpu_s(processes: Sequence[psutil.Process]) -> float:
-    """Processor time so far."""
-    return sum(sum(each.cpu_times()[:2]) for each in processes)
+def cpu_s(processes: Iterable[psutil.Process]) -> float:
+    """Processor time so far, that of children that have ended included."""
+    total = 0.0
+    for each in processes:
+        with suppress(psutil.NoSuchProcess):
+            times = each.cpu_times()
+            total += times.user + times.system + times.children_user + times.children_system
+    return total
 
 
-def of_postgres(made: Cluster) -> list[psutil.Process]:
+def of_postgres(made: Cluster) -> Iterator[psutil.Process]:
     """Its processes."""
-    folder = str(made.postgres.folder)
-    return [each for each in psutil.process_iter() if each.name() == "postgres" and each.cwd().startswith(folder)]
+    for each in psutil.process_iter():
+        with suppress(psutil.Error):
+            if each.name() == "postgres" and each.cwd().startswith(str(made.postgres.folder)):
+                yield each
 
 
 def measure(made: Cluster, database: Database, seconds: float) -> tuple[float, float, float]:
     """Cases per second, and processor time per case of PostgreSQL and of the workers, ms."""
-    parts = of_postgres(made), [psutil.Process(each.pid) for each in made.running if each is not made.api]
-    done, began, used = finished(database), time.monotonic(), [cpu_s(each) for each in parts]
+
+    def used() -> tuple[float, float]:
+        workers = (psutil.Process(each.pid) for each in made.running if each is not made.api)
+        return cpu_s(of_postgres(made)), cpu_s(workers)
+
+    done, began, before = finished(database), time.monotonic(), used()
     time.sleep(seconds)
-    cases, took_s = finished(database) - done, time.monotonic() - began
-    spent = [1e3 * (cpu_s(each) - before) / cases for each, before in zip(parts, used, strict=True)]
-    return cases / took_s, spent[0], spent[1]
+    cases, took_s, after = finished(database) - done, time.monotonic() - began, used()
+    if not cases:
+        raise SystemExit("no case has ended: nothing is measured")
+    return cases / took_s, 1e3 * (after[0] - before[0]) / cases, 1e3 * (after[1] - before[1]) / cases
 
 
 def run(seconds: float) -> Result:

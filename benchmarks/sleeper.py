@@ -7,6 +7,7 @@ import random
 import sys
 import time
 from collections.abc import Callable, Sequence
+from types import SimpleNamespace
 from typing import Any
 
 import worker.compute
@@ -25,7 +26,7 @@ def solve_by_sleeping(seconds: float) -> Callable[[Sequence[Any], Callable[[floa
         for n in range(BEATS):
             time.sleep(seconds / BEATS)
             tell((n + 1) / BEATS)
-        return cases
+        return [SimpleNamespace(case=case) for case in cases]
 
     return solve
 
