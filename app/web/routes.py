@@ -4,7 +4,6 @@ Every address in it is relative, so that a proxy may add a path before.
 """
 
 import hashlib
-import re
 from collections.abc import Mapping
 from functools import partial
 from mimetypes import guess_type
@@ -15,6 +14,7 @@ from fastapi.responses import HTMLResponse, Response
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from app.pages import add
+from app.web.scripts import needs, script
 
 STATIC = Path(__file__).parent / "static"
 POLICY = "; ".join(
@@ -30,7 +30,6 @@ POLICY = "; ".join(
     ]
 )
 TEMPLATES = Environment(loader=PackageLoader("app.web"), autoescape=True, undefined=StrictUndefined)
-IMPORT = re.compile(r'^import .* from "\./(\w[\w-]*)\.js";$', re.MULTILINE)
 FOR_EVER = "public, max-age=31536000, immutable"
 HEADERS = {"Cache-Control": "no-cache", "Content-Security-Policy": POLICY}
 PAGES = {
@@ -46,34 +45,24 @@ PAGES = {
 def add_web(app: FastAPI) -> None:
     """Serve the page, made once, and its files, below an address that is another one when they are.
 
-    All of it is in memory: to look for a file takes several turns of a thread, and a view has twenty files.
+    All of it is in memory: to look for a file takes several turns of a thread.
     """
-    files = {file: file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()}
+    files = {file.relative_to(STATIC).as_posix(): file.read_bytes() for file in STATIC.rglob("*") if file.is_file()}
+    files |= {f"js/{name}.js": script(name).encode() for name in PAGES.values()}
     static = f"static/{_digest(files)}"
     for file, content in files.items():
-        address = f"/{static}/{file.relative_to(STATIC).as_posix()}"
-        media_type = guess_type(file.name)[0] or "text/plain"
-        add(app, address, partial(Response, content, media_type=media_type, headers={"Cache-Control": FOR_EVER}))
+        media_type = guess_type(file)[0] or "text/plain"
+        answer = partial(Response, content, media_type=media_type, headers={"Cache-Control": FOR_EVER})
+        add(app, f"/{static}/{file}", answer)
     for path, name in PAGES.items():
         root = "../" * (path.count("/") - 1)
-        values = {"page": name, "root": root, "static": f"{root}{static}", "modules": sorted(modules(name))}
+        values = {"page": name, "root": root, "static": f"{root}{static}", "charts": needs(name, "chart")}
         html = TEMPLATES.get_template(f"{name}.html").render(values)
         add(app, path, partial(HTMLResponse, html, headers=HEADERS))
 
 
-def modules(name: str) -> set[str]:
-    """All modules that a view's module needs, itself too: a browser that is told can ask for them at once."""
-    found: set[str] = set()
-    ahead = {name, "page"}
-    while ahead:
-        found |= ahead
-        scripts = ((STATIC / "js" / f"{each}.js").read_text() for each in ahead)
-        ahead = {needed for script in scripts for needed in IMPORT.findall(script)} - found
-    return found
-
-
-def _digest(files: Mapping[Path, bytes]) -> str:
+def _digest(files: Mapping[str, bytes]) -> str:
     found = hashlib.sha256()
-    for file, content in files.items():
-        found.update(file.name.encode() + content)
+    for file, content in sorted(files.items()):
+        found.update(file.encode() + content)
     return found.hexdigest()[:16]

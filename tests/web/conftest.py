@@ -74,6 +74,24 @@ def page(context: BrowserContext) -> Iterator[Page]:
         yield page
 
 
+SHIFTED = """new Promise((done) => {
+  let sum = 0;
+  const add = (list) => list.getEntries().forEach(({ value }) => (sum += value));
+  new PerformanceObserver(add).observe({ type: "layout-shift", buffered: true });
+  setTimeout(() => done(sum), 200);
+})"""
+
+
+def check_stillness(page: Page, path: str, sign: str) -> None:
+    """While a view is filled, hardly anything moves, on a telephone or on a desk."""
+    for width in (WIDE, NARROW):
+        page.set_viewport_size({"width": width, "height": 800})
+        page.goto(path)
+        expect(page.locator(sign).first).to_be_visible()
+        page.wait_for_load_state("networkidle")
+        assert page.evaluate(SHIFTED) < 0.02
+
+
 def check_accessibility(page: Page) -> None:
     """Nothing serious by axe-core's rules, light and dark, on a telephone and on a desk; nothing beside the window."""
     page.evaluate(AXE)  # past the page's policy, which lets in no script of others

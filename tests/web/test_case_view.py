@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, Response, expect
 
 from tests.e2e.conftest import Served, study
-from tests.web.conftest import check_accessibility
+from tests.web.conftest import check_accessibility, check_stillness
 
 HISTORY, SPECTRUM = "history", "spectrum"
 
@@ -52,6 +52,18 @@ def test_its_numbers_are_those_of_the_api(case: Page, computed: dict[str, Any], 
         has_text=re.compile("^Wheel-rail forcewheelset")
     )
     assert float(row.locator("td").nth(3).inner_text()) == pytest.approx(force["peak"] / 1e3, rel=1e-3)
+
+
+def test_its_history_is_downloaded(case: Page, computed: dict[str, Any]) -> None:
+    for name, suffix, begin in (("History as NumPy", "npz", b"PK"), ("as Parquet", "parquet", b"PAR1")):
+        link = case.get_by_role("link", name=name)
+        expect(link).to_have_attribute(
+            "download", f"case-{computed['id']}.{suffix}"
+        )  # or it is asked for without a key
+        with case.expect_download() as download:
+            link.click()
+        assert download.value.suggested_filename == f"case-{computed['id']}.{suffix}"
+        assert download.value.path().read_bytes().startswith(begin)
 
 
 def test_closer_looks_ask_for_finer_samples(case: Page) -> None:
@@ -103,6 +115,10 @@ def test_the_drawing_is_of_its_instant_and_plays(case: Page, computed: dict[str,
 def test_a_case_that_is_not_there(page: Page) -> None:
     page.goto("/cases/999999")
     expect(page.get_by_text("There is no such case.")).to_be_visible()
+
+
+def test_nothing_moves_while_a_case_is_shown(page: Page, computed: dict[str, Any]) -> None:
+    check_stillness(page, f"/cases/{computed['id']}", "#spectrum canvas")
 
 
 def test_nothing_of_a_case_stands_in_the_way_of_anybody(case: Page) -> None:

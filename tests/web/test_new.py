@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, Response, expect
 
 from tests.e2e.conftest import SMALL, Served
-from tests.web.conftest import check_accessibility
+from tests.web.conftest import check_accessibility, check_stillness
 
 PROFILE = "x_m,eta_mm\n" + "".join(f"{n / 4},{(n * 7 % 11 - 5) / 10}\n" for n in range(200))
 ESTIMATES, PREVIEWS = "/v1/study-estimates", "/v1/irregularity-previews"
@@ -100,7 +100,8 @@ def test_a_measured_profile_is_uploaded_and_looked_at(form: Page, service: Serve
     form.get_by_label("Upload another").set_input_files(bad)  # type: ignore[arg-type]
     expect(form.get_by_label("Upload another")).to_have_accessible_description(re.compile("Line 3 must be two numbers"))
     good = {"name": "good.csv", "mimeType": "text/csv", "buffer": PROFILE.encode()}
-    with form.expect_response(answers(PREVIEWS)) as asking:
+    of_profile = "profile_id"  # an earlier preview may still be under way
+    with form.expect_response(lambda r: answers(PREVIEWS)(r) and of_profile in sent(r)["irregularity"]) as asking:
         form.get_by_label("Upload another").set_input_files(good)  # type: ignore[arg-type]
     profile_id = sent(asking.value)["irregularity"]["profile_id"]
     expect(form.get_by_label("Stored profile")).to_have_value(profile_id)
@@ -120,6 +121,10 @@ def test_what_the_form_has_no_fields_for_is_written_as_json(form: Page) -> None:
     expect(form.locator("#refused")).to_contain_text("not JSON")
     text.fill(json.dumps({**study, "weight": 1}))
     expect(text).to_have_attribute("aria-invalid", "true")
+
+
+def test_nothing_moves_while_the_form_is_filled(page: Page) -> None:
+    check_stillness(page, "/studies/new", "#preset")
 
 
 def test_nothing_of_the_form_stands_in_the_way_of_anybody(form: Page) -> None:

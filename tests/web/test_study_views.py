@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.e2e.conftest import SMALL, Served, served, study, tracksweep
-from tests.web.conftest import check_accessibility, new_context, opened
+from tests.web.conftest import check_accessibility, check_stillness, new_context, opened
 
 QUERY = {"quantity": "wheel_rail_force", "position": "wheelset_1"}
 
@@ -187,6 +187,12 @@ def test_the_queue_tells_who_works(page: Page, service: Served) -> None:
     page.goto("/queue")
     (worker,) = service.get("/v1/queue")["workers"]
     expect(page.locator("#queue tbody")).to_contain_text(worker["name"])
+
+
+def test_nothing_moves_while_a_view_is_filled(page: Page, ended: str, another: str) -> None:
+    comparison = f"compare?study={ended}&study={another}"
+    for view, table in (("", "#list"), (f"studies/{ended}", "#table"), (comparison, "#table")):
+        check_stillness(page, f"/{view}", f"{table} tbody tr")
 
 
 def test_no_view_stands_in_the_way_of_anybody(page: Page, ended: str, another: str) -> None:

@@ -24,13 +24,21 @@ export const address = (path, query = {}) => {
   return url;
 };
 
+/** The answer to what was asked before this module was there (see ahead.js), once. */
+const ahead = (url) => {
+  const answer = window.ahead.get(String(url));
+  window.ahead.delete(String(url));
+  return answer;
+};
+
 /** fetch() with the key; asks for one where it is needed. */
 export const send = async (url, options = {}) => {
+  const reads = (options.method ?? "GET") === "GET";
   for (let why = null; ; ) {
     const key = sessionStorage.getItem("key");
     const headers = new Headers(options.headers);
     if (key) headers.set("Authorization", `Bearer ${key}`);
-    const response = await fetch(url, { ...options, headers });
+    const response = (reads && (await ahead(url))) || (await fetch(url, { ...options, headers }));
     if (response.status !== 401) return response;
     why = (await response.clone().json()).detail;
     if (key === sessionStorage.getItem("key") && !(await askForKey(why))) return response;

@@ -4,7 +4,7 @@ import { address, get, getOnce, Problem, request } from "./api.js";
 import { asked, channels } from "./channels.js";
 import { Drawing } from "./drawing.js";
 import { digits, duration, given, instant, percent, shownUnit, words } from "./format.js";
-import { $, html, show } from "./html.js";
+import { $, html, idle, ready, show } from "./html.js";
 import { notify } from "./page.js";
 import { showRequests } from "./request.js";
 import { Table } from "./table.js";
@@ -22,6 +22,7 @@ const start = async () => {
   const inputs = showInputs(found);
   for (; ; found = await get(path)) {
     showState(found);
+    ready();
     if (!["queued", "running"].includes(found.state)) break;
     await pause();
   }
@@ -53,7 +54,7 @@ const showState = (found) => {
     ${fact("Attempts", found.attempt)}${fact("Worker", found.worker ?? "–")}${fact("Processor time", duration(found.cpu_s))}
     ${fact("Asked for", instant(found.created_at))}${fact("Begun", instant(found.started_at))}${fact("Ended", instant(found.finished_at))}
     ${history && fact("History", `${digits(history.size_bytes / 1e6, 3)} MB`, history.digest)}`);
-  show($("actions"), history ? html`<a class="button" href="${address(`${path}/history.npz`)}">History as NumPy</a><a class="button" href="${address(`${path}/history.parquet`)}">as Parquet</a>` : "");
+  show($("actions"), history ? html`<a class="button" download="case-${id}.npz" href="${address(`${path}/history.npz`, { through: "service" })}">History as NumPy</a><a class="button" download="case-${id}.parquet" href="${address(`${path}/history.parquet`)}">as Parquet</a>` : "");
 };
 
 const showPeaks = async (quantities, { state }) => {
@@ -73,6 +74,7 @@ const showPeaks = async (quantities, { state }) => {
 const showHistory = async (found, titles) => {
   const whole = await channels(id, titles, tellRequests);
   const longest = Math.max(...whole.channels.map(({ time_s }) => time_s.at(-1)));
+  await idle();
   new Drawing(id, found, whole, longest);
 };
 
@@ -119,6 +121,7 @@ const verified = (found) => {
 };
 
 start().catch((error) => {
+  ready();
   if (!(error instanceof Problem) || error.status !== 404) return notify(error);
   $("case").hidden = true;
   $("absent").hidden = false;

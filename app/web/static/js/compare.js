@@ -42,12 +42,13 @@ const summaries = async (id) => {
 
 const results = async () => {
   const enough = chosen.size > 1;
+  const found = enough && (await Promise.all([...chosen].map(summaries))).flat(); // before anything moves
   $("nothing").hidden = enough;
   $("results").hidden = !enough;
-  requests();
-  if (!enough) return;
-  panel.show((await Promise.all([...chosen].map(summaries))).flat());
-  rows();
+  if (enough) {
+    panel.show(found);
+    rows();
+  }
   requests();
 };
 

@@ -20,7 +20,13 @@ export const show = (element, made) => {
 /** The element of an id. */
 export const $ = (id) => document.getElementById(id);
 
+/** Show what was held back until its first data were there. */
+export const ready = () => $("main").classList.remove("waiting");
+
 const whenIdle = window.requestIdleCallback ?? setTimeout; // Safari has none
+
+/** Resolves when nothing else is to be done. */
+export const idle = () => new Promise((resolve) => whenIdle(resolve));
 
 /** A function that draws the first of many things at once and the others when nothing else is to be done, until other
  * things are to be drawn.
@@ -31,7 +37,7 @@ export const inTurns = (draw) => {
     const mine = (now = {});
     if (first) draw(first);
     for (const thing of others) {
-      await new Promise((resolve) => whenIdle(resolve));
+      await idle();
       if (now !== mine) return;
       draw(thing);
     }

@@ -2,7 +2,7 @@
 
 import { address, all, get, getOnce, Problem, request } from "./api.js";
 import { count, digits, duration, given, instant } from "./format.js";
-import { $, html, show } from "./html.js";
+import { $, html, ready, show } from "./html.js";
 import { notify } from "./page.js";
 import { preview } from "./preview.js";
 import { python, showRequests } from "./request.js";
@@ -183,4 +183,4 @@ const start = async () => {
   begin(like ? (await get(`/v1/studies/${like}`)).definition : catalogue.presets.find(({ name }) => name === FIRST).study);
 };
 
-start().catch(notify);
+start().catch(notify).finally(ready);

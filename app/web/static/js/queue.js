@@ -10,14 +10,16 @@ const fact = (name, value, unit) => html`<div><dt>${name}</dt><dd class="large">
 
 const since = (instant) => (instant ? duration((Date.now() - new Date(instant)) / 1000) : "–");
 
+const named = ({ name, draining }) => html`<th scope="row">${name}${draining && html` <small>draining</small>`}</th>`;
+
 const row = (worker) => ({ id, speed_kmh: speed, slab, irregularity, progress, attempt, started_at: started }) => html`<tr>
-  <th scope="row">${worker.name}</th>
+  ${named(worker)}
   <td class="number"><a id="case-${id}" href="${address(`/cases/${id}`)}">${id}</a></td>
   <td class="number">${given(speed)}</td><td>${slab} slab</td><td>${irregularity}</td>
   <td class="done"><progress max="1" value="${progress}" aria-label="Progress of case ${id}"></progress> <small>${percent(progress)}</small></td>
   <td class="number">${attempt}</td><td class="number">${since(started)}</td></tr>`;
 
-const idle = ({ name, running }) => html`<tr><th scope="row">${name}</th><td colspan="7" class="soft">${running ? `${count(running)} cases of others` : "waits for work"}</td></tr>`;
+const idle = (worker) => html`<tr>${named(worker)}<td colspan="7" class="soft">${worker.running ? `${count(worker.running)} cases of others` : "waits for work"}</td></tr>`;
 
 const workers = (found) => html`<table><caption class="hidden">Workers</caption>
   <thead><tr><th scope="col">Worker</th><th scope="col" class="number">Case</th><th scope="col" class="number">Speed<small>km/h</small></th><th scope="col">Slab</th>
