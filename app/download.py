@@ -9,6 +9,7 @@ from fastapi.responses import StreamingResponse
 
 from app.conditional import NOT_CHANGED
 from app.problems import Problem
+from app.storage import attachment
 
 PARQUET = "application/vnd.apache.parquet"
 
@@ -49,7 +50,7 @@ def download(
         "Cache-Control": "no-cache",
         "Accept-Ranges": "bytes",
         "Content-Length": str(len(part)),
-        "Content-Disposition": f'attachment; filename="{filename}"',
+        "Content-Disposition": attachment(filename),
     }
     if part != whole:
         headers["Content-Range"] = f"bytes {part.start}-{part.stop - 1}/{size}"

@@ -60,6 +60,7 @@ PARAMETERS: dict[str, dict[str, Any]] = {
     "update_study": {"If-Match": "*"},
     "watch_study": {"Last-Event-ID": 0},
     "list_cases": {"state": "succeeded", "sort": "-speed_kmh", "page_size": 50},
+    "download_history": {"through": "service"},
     "get_history": {"quantity": ["wheel_rail_force"], "time_min_s": 0.1, "time_max_s": 0.2, "max_points": 500},
     "get_spectrum": {
         "quantity": "wheel_rail_force",

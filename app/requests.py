@@ -102,7 +102,9 @@ class JsonRoute(APIRoute):
 
 
 class HeadMiddleware:
-    """Answer HEAD wherever GET is answered: the application sees a GET whose client leaves after the headers."""
+    """Answer HEAD wherever GET is answered: the application sees a GET whose client leaves after the headers, and
+    ``head`` in its scope.
+    """
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -124,7 +126,7 @@ class HeadMiddleware:
                 await send({"type": "http.response.body"})
                 answered.set()
 
-        await self.app({**scope, "method": "GET"}, receive_disconnect, send_headers)
+        await self.app({**scope, "method": "GET", "head": True}, receive_disconnect, send_headers)
 
 
 class RequestIdMiddleware:

@@ -26,6 +26,7 @@ class Settings(BaseSettings):
     database_url: str = Field(default="", description="SQLAlchemy URL; empty for SQLite in the data folder.")
     broker_url: str = Field(default="", description="Celery broker URL; empty for the embedded broker.")
     storage_url: str = Field(default="", description="URL of the history store; empty for a folder of the data folder.")
+    presigned_s: int = Field(default=0, ge=0, le=604_800, description="Life of links into a bucket; 0: none are given.")
     host: str = Field(default="127.0.0.1", description="Address the API listens on.")
     port: int = Field(default=8000, ge=0, le=65535, description="Port the API listens on; 0 for any free one.")
     url: str = Field(default="", description="Service that commands talk to; empty for the one on the data folder.")

@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
 
+from obstore import sign
 from obstore.exceptions import BaseError
-from obstore.store import LocalStore, ObjectStore, from_url
+from obstore.store import AzureStore, GCSStore, LocalStore, ObjectStore, S3Store, from_url
 
 STORE_ERRORS = (OSError, BaseError)
 
 PROBE = "probe"  # the name of an object that is deleted at once
-SOON: Any = {"client_options": {"timeout": "2s"}, "retry_config": {"max_retries": 0}}
 
 _FULL = (errno.ENOSPC, errno.EDQUOT)
 _FULL_SQLSTATE = "53100"  # PostgreSQL's
@@ -34,6 +34,27 @@ def is_full(error: BaseException) -> bool:
     )
 
 
+def _bucket(url: str, silence: str, retries: int) -> ObjectStore:
+    """A bucket that may be read as slowly as a client takes what it holds, but is away when it is silent for long.
+
+    Its endpoint says whether it speaks TLS. Retries are few: callers wait for what is away, and say so in the log.
+    """
+    options: Any = {"allow_http": True, "timeout": "1h", "read_timeout": silence}
+    return from_url(
+        url, client_options=options, retry_config={"max_retries": retries, "retry_timeout": timedelta(seconds=10)}
+    )
+
+
+def attachment(filename: str) -> str:
+    """The Content-Disposition of a file that is to be kept."""
+    return f'attachment; filename="{filename}"'
+
+
+def filename(case_id: int) -> str:
+    """What the history of a case is called when it is downloaded as it is stored."""
+    return f"case-{case_id}.npz"
+
+
 class HistoryStore:
     """Objects below a URL: ``file:///FOLDER`` (created when missing) or ``s3://BUCKET/PREFIX``.
 
@@ -46,12 +67,28 @@ class HistoryStore:
     def __init__(self, url: str) -> None:
         parts = urlsplit(url)
         self.folder = Path(unquote(parts.path)) if parts.scheme == "file" else None
-        self._store: ObjectStore = LocalStore.from_url(url, mkdir=True) if self.folder else from_url(url)
-        self._probed = self._store if self.folder else from_url(url, **SOON)
+        self._store: ObjectStore
+        self._store = LocalStore.from_url(url, mkdir=True) if self.folder else _bucket(url, "30s", retries=3)
+        self._probed = self._store if self.folder else _bucket(url, "2s", retries=0)
 
-    def put(self, key: str, content: bytes) -> None:
-        """Write an object, whole or not at all."""
-        self._store.put(key, content)
+    def put(self, key: str, content: bytes, filename: str = "") -> None:
+        """Write an object, whole or not at all.
+
+        Parameters
+        ----------
+        key : str
+        content : bytes
+        filename : str, optional
+            What browsers are to call it that have it from a link.
+        """
+        named = {"Content-Disposition": attachment(filename)} if filename and not self.folder else None
+        self._store.put(key, content, attributes=named)
+
+    def link(self, key: str, life_s: int) -> str | None:
+        """A URL by which an object can be read for some time, by whoever has it; None where there is no such thing."""
+        if not isinstance(self._store, S3Store | GCSStore | AzureStore):
+            return None
+        return sign(self._store, "GET", key, timedelta(seconds=life_s))
 
     def read(self, key: str, part: range | None = None) -> Iterator[bytes]:
         """An object, or some of its bytes, in chunks.

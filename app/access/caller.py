@@ -6,6 +6,7 @@ from typing import Annotated
 
 from anyio import to_thread
 from fastapi import Depends, Request
+from structlog.contextvars import bind_contextvars
 
 from app.access import keys
 from app.access.rates import Policy, Rate, Rates
@@ -45,6 +46,7 @@ async def identify(request: Request, context: ContextDep) -> Caller:
         401 without a valid key where one is required, and with an invalid one anywhere; 403 if the key's scope does not
         suffice or, without a key, a page of another site sent the request; 429 if there were too many requests.
     """
+    bind_contextvars(**request.path_params)  # the log tells what a request is about
     if not hasattr(request.state, "caller"):
         request.state.caller = await _identify(request, context)
     caller: Caller = request.state.caller

@@ -2,9 +2,10 @@
 
 import tempfile
 from collections.abc import Iterator
-from typing import Annotated, BinaryIO
+from typing import Annotated, Any, BinaryIO, Literal
 
 from fastapi import APIRouter, Depends, Query, Request, Response
+from fastapi.responses import RedirectResponse
 
 from app.access.visibility import CaseId
 from app.conditional import NOT_CHANGED, not_changed
@@ -12,8 +13,14 @@ from app.context import ContextDep
 from app.download import PARQUET, RANGES, binary, download
 from app.histories import service
 from app.histories.schemas import HistoryQuery, HistoryView, SpectrumQuery, SpectrumView
+from app.storage import filename
 
 NPZ = "application/octet-stream"
+ELSEWHERE: dict[int | str, dict[str, Any]] = {307: {"description": "To be had from the bucket, for some time"}}
+Through = Annotated[
+    Literal["any", "service"],
+    Query(description="Whether a service that is set up for it may answer with a link into its bucket (307)."),
+]
 
 
 def _scratch() -> Iterator[BinaryIO]:
@@ -56,15 +63,18 @@ def get_spectrum(
     return Response(content, media_type="application/json", headers={"ETag": etag, "Cache-Control": "no-cache"})
 
 
-@router.get("/history.npz", response_class=Response, responses=binary(NPZ) | RANGES)
-def download_history(case_id: CaseId, context: ContextDep, request: Request) -> Response:
+@router.get("/history.npz", response_class=Response, responses=binary(NPZ) | RANGES | ELSEWHERE)
+def download_history(case_id: CaseId, context: ContextDep, request: Request, through: Through = "any") -> Response:
     """Download the time history of a case at full resolution, as a NumPy archive."""
     with context.database.read() as session:
         stored = service.find(session, case_id)
     etag, size = f'"{stored.history.digest}"', stored.history.size_bytes
-    return not_changed(request, etag) or download(
-        request, etag, size, lambda part: service.read(context, stored, part), NPZ, f"case-{case_id}.npz"
-    )
+    if (answer := not_changed(request, etag)) is not None:
+        return answer
+    may_leave = through == "any" and "head" not in request.scope  # a link is good for GET only
+    if may_leave and (link := service.link(context, stored)) is not None:
+        return RedirectResponse(link, 307, {"Cache-Control": "no-store"})
+    return download(request, etag, size, lambda part: service.read(context, stored, part), NPZ, filename(case_id))
 
 
 @router.get("/history.parquet", response_class=Response, responses=binary(PARQUET) | RANGES)

@@ -62,6 +62,20 @@ def read(context: Context, stored: Stored, part: range) -> Iterator[bytes]:
         return context.histories.read(stored.history.key, part)
 
 
+def link(context: Context, stored: Stored) -> str | None:
+    """Where to read the archive without this service; None if the settings or the store do not provide for that.
+
+    Raises
+    ------
+    Problem
+        503 if there are no credentials to sign it with.
+    """
+    if not context.settings.presigned_s:
+        return None
+    with _store_errors():
+        return context.histories.link(stored.history.key, context.settings.presigned_s)
+
+
 def view(context: Context, stored: Stored, query: HistoryQuery) -> HistoryView:
     """What is to be drawn.
 

@@ -103,7 +103,7 @@ _OF_OPERATORS = (
     .where(Case.operator_key.in_(bindparam("keys", expanding=True)))
     .group_by(Case.operator_key)
 )
-_WORKERS = select(func.count()).where(Worker.expires > Clock())
+_WORKERS = select(func.count()).where(Worker.expires > Clock(), ~Worker.draining)
 _NOW = select(Clock())
 
 

@@ -5,9 +5,9 @@ from functools import cache, partial
 from typing import Any
 from uuid import uuid4
 
+import structlog
 from sqlalchemy import Row, insert
 from sqlalchemy.orm import Session
-from structlog.contextvars import get_contextvars
 
 from app import events, idempotency
 from app.access import quotas, visibility
@@ -31,6 +31,8 @@ from app.studies.schemas import (
 )
 from app.studies.sweep import ContradictionError
 from solver.case import Case
+
+log = structlog.get_logger()
 
 
 def create(context: Context, request: StudyRequest, key: str | None, caller: Caller = ANYBODY) -> StudyDetail:
@@ -64,6 +66,7 @@ def _create(context: Context, request: StudyRequest, key: str | None, caller: Ca
         profiles.hold(session, study.id, profiles.used_by(cases))
         if key is not None:
             idempotency.remember(session, key, digest, study.model_dump(mode="json"))
+    log.info("study created", study_id=study.id, cases=study.cases.total, reused=study.cases_reused)
     if study.cases.queued:
         context.doorbell.ring()
     return study
@@ -138,7 +141,6 @@ def _store(session: Session, request: StudyRequest, rows: dict[str, dict[str, An
         keep_history=request.keep_history,
         request=request.model_dump(mode="json", exclude_unset=True),
         cases_reused=enqueued.reused,
-        request_id=get_contextvars().get("request_id"),
     )
     session.add(study)
     session.flush()  # before the rows that refer to it

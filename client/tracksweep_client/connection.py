@@ -115,6 +115,7 @@ def connect(url: str | None = None, api_key: str | None = None) -> Authenticated
         "base_url": url,
         "headers": {"Authorization": f"Bearer {key}"} if key else {},
         "timeout": TIMEOUT_S,
+        "follow_redirects": True,  # into the bucket of histories, where the key is not sent
         "trust_env": urlsplit(url).hostname not in ("127.0.0.1", "localhost", "::1"),  # no proxy to oneself
     }
     client = AuthenticatedClient(base_url=url, token=key)

@@ -93,7 +93,7 @@ def test_a_restored_backup_is_the_service_as_it_was(
 def drain(settings: Settings) -> None:
     """Compute whatever is queued."""
     worker = Worker(settings, threading.Event())
-    worker.drain()
+    worker.work()
     worker.database.close()
 
 

@@ -25,6 +25,7 @@ from .confidence_interval import ConfidenceInterval
 from .cpu_estimate import CpuEstimate
 from .cpu_estimate_basis import CpuEstimateBasis
 from .difference import Difference
+from .download_history_through import DownloadHistoryThrough
 from .estimated_cases import EstimatedCases
 from .export_peaks_csv_parameter_item import ExportPeaksCsvParameterItem
 from .export_peaks_csv_sort import ExportPeaksCsvSort
@@ -169,6 +170,7 @@ __all__ = (
     "CpuEstimate",
     "CpuEstimateBasis",
     "Difference",
+    "DownloadHistoryThrough",
     "EstimatedCases",
     "ExportPeaksCsvParameterItem",
     "ExportPeaksCsvSort",

@@ -19,17 +19,21 @@ class WorkerInfo:
 
     Attributes:
         name (str):
+        draining (bool): Whether it takes no more cases, and ends when these are finished.
         running (int): Cases it computes now, side by side.
         cases (list[RunningCase]): Those of them that the caller sees.
     """
 
     name: str
+    draining: bool
     running: int
     cases: list[RunningCase]
     additional_properties: dict[str, Any] = _attrs_field(init=False, factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
         name = self.name
+
+        draining = self.draining
 
         running = self.running
 
@@ -43,6 +47,7 @@ class WorkerInfo:
         field_dict.update(
             {
                 "name": name,
+                "draining": draining,
                 "running": running,
                 "cases": cases,
             }
@@ -57,6 +62,8 @@ class WorkerInfo:
         d = dict(src_dict)
         name = d.pop("name")
 
+        draining = d.pop("draining")
+
         running = d.pop("running")
 
         cases = []
@@ -68,6 +75,7 @@ class WorkerInfo:
 
         worker_info = cls(
             name=name,
+            draining=draining,
             running=running,
             cases=cases,
         )

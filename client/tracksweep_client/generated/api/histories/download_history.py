@@ -7,19 +7,35 @@ import httpx
 
 from ... import errors
 from ...client import AuthenticatedClient, Client
+from ...models.download_history_through import (
+    DownloadHistoryThrough,
+)
 from ...models.problem_details import ProblemDetails
-from ...types import File, Response
+from ...types import UNSET, File, Response, Unset
 
 
 def _get_kwargs(
     case_id: int,
+    *,
+    through: DownloadHistoryThrough | Unset = "any",
 ) -> dict[str, Any]:
+
+    params: dict[str, Any] = {}
+
+    json_through: str | Unset = UNSET
+    if not isinstance(through, Unset):
+        json_through = through
+
+    params["through"] = json_through
+
+    params = {k: v for k, v in params.items() if v is not UNSET and v is not None}
 
     _kwargs: dict[str, Any] = {
         "method": "get",
         "url": "/v1/cases/{case_id}/history.npz".format(
             case_id=quote(str(case_id), safe=""),
         ),
+        "params": params,
     }
 
     return _kwargs
@@ -40,6 +56,10 @@ def _parse_response(
     if response.status_code == 304:
         response_304 = cast(Any, None)
         return response_304
+
+    if response.status_code == 307:
+        response_307 = cast(Any, None)
+        return response_307
 
     if response.status_code == 401:
         response_401 = ProblemDetails.from_dict(response.json())
@@ -97,6 +117,7 @@ def sync_detailed(
     case_id: int,
     *,
     client: AuthenticatedClient | Client,
+    through: DownloadHistoryThrough | Unset = "any",
 ) -> Response[Any | File | ProblemDetails]:
     """Download History
 
@@ -104,6 +125,8 @@ def sync_detailed(
 
     Args:
         case_id (int):
+        through (DownloadHistoryThrough | Unset): Whether a service that is set up for it may
+            answer with a link into its bucket (307). Default: 'any'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -115,6 +138,7 @@ def sync_detailed(
 
     kwargs = _get_kwargs(
         case_id=case_id,
+        through=through,
     )
 
     response = client.get_httpx_client().request(
@@ -128,6 +152,7 @@ def sync(
     case_id: int,
     *,
     client: AuthenticatedClient | Client,
+    through: DownloadHistoryThrough | Unset = "any",
 ) -> Any | File | ProblemDetails | None:
     """Download History
 
@@ -135,6 +160,8 @@ def sync(
 
     Args:
         case_id (int):
+        through (DownloadHistoryThrough | Unset): Whether a service that is set up for it may
+            answer with a link into its bucket (307). Default: 'any'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -147,6 +174,7 @@ def sync(
     return sync_detailed(
         case_id=case_id,
         client=client,
+        through=through,
     ).parsed
 
 
@@ -154,6 +182,7 @@ async def asyncio_detailed(
     case_id: int,
     *,
     client: AuthenticatedClient | Client,
+    through: DownloadHistoryThrough | Unset = "any",
 ) -> Response[Any | File | ProblemDetails]:
     """Download History
 
@@ -161,6 +190,8 @@ async def asyncio_detailed(
 
     Args:
         case_id (int):
+        through (DownloadHistoryThrough | Unset): Whether a service that is set up for it may
+            answer with a link into its bucket (307). Default: 'any'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -172,6 +203,7 @@ async def asyncio_detailed(
 
     kwargs = _get_kwargs(
         case_id=case_id,
+        through=through,
     )
 
     response = await client.get_async_httpx_client().request(**kwargs)
@@ -183,6 +215,7 @@ async def asyncio(
     case_id: int,
     *,
     client: AuthenticatedClient | Client,
+    through: DownloadHistoryThrough | Unset = "any",
 ) -> Any | File | ProblemDetails | None:
     """Download History
 
@@ -190,6 +223,8 @@ async def asyncio(
 
     Args:
         case_id (int):
+        through (DownloadHistoryThrough | Unset): Whether a service that is set up for it may
+            answer with a link into its bucket (307). Default: 'any'.
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -203,5 +238,6 @@ async def asyncio(
         await asyncio_detailed(
             case_id=case_id,
             client=client,
+            through=through,
         )
     ).parsed
