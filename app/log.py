@@ -54,4 +54,5 @@ def unavailable(what: str, error: BaseException) -> None:
     if now - _said_at.get(what, -SPARINGLY_S) >= SPARINGLY_S:
         _said_at[what] = now
         reason = getattr(error, "orig", None) or error  # without the statement and all that it was to write
-        structlog.get_logger().warning(f"{what} unavailable", error=f"{type(reason).__name__}: {reason}")
+        words, *_ = str(reason).split("\n\n")  # without the store's internals
+        structlog.get_logger().warning(f"{what} unavailable", error=f"{type(reason).__name__}: {words}")

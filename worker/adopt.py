@@ -6,7 +6,6 @@ would be told that it is computed.
 
 from functools import partial
 
-import structlog
 from sqlalchemy import Integer, cast, exists, select, update
 from sqlalchemy.orm import Session, aliased
 
@@ -19,8 +18,6 @@ from solver.version import SOLVER_VERSION
 from worker import lease
 
 AT_ONCE = 100
-
-log = structlog.get_logger()
 
 
 def adopt(session: Session) -> None:
@@ -51,5 +48,4 @@ def adopt(session: Session) -> None:
 
 
 def _fail(session: Session, case: Case, detail: str) -> None:
-    log.warning("case of an older release given up", case_id=case.id, detail=detail)
     lease.refuse(session, case.id, "solver-changed", detail)

@@ -21,7 +21,7 @@ from solver.block import lane_width
 from solver.simd import MAX_LANES
 from solver.version import SOLVER_VERSION
 from worker import presence
-from worker.lease import Lease
+from worker.lease import Lease, studies_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,8 +60,16 @@ def claim(session: Session, worker: str, lease_s: float, lanes: int = MAX_LANES)
         return []
     rows = [head, *_riders(session, head, _share(session, head, worker, lanes) - 1)]
     rows.sort(key=lambda row: str(row.digest))  # the order in which they will be locked again and again
+    studies = studies_of(session, [row.id for row in rows])
     batch = [
-        Claim(token=uuid4().hex, attempt=row.attempt + 1, case_id=row.id, digest=row.digest, inputs=row.inputs)
+        Claim(
+            token=uuid4().hex,
+            attempt=row.attempt + 1,
+            case_id=row.id,
+            study_ids=studies[row.id],
+            digest=row.digest,
+            inputs=row.inputs,
+        )
         for row in rows
     ]
     taken = [{"taken_id": held.case_id, "token": held.token, "by": worker, "for_s": lease_s} for held in batch]

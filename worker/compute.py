@@ -10,15 +10,16 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 import structlog
-from sqlalchemy.exc import InterfaceError, OperationalError
+from sqlalchemy.exc import InterfaceError, InternalError, OperationalError
 from sqlalchemy.orm import Session
+from structlog.contextvars import bound_contextvars
 
 from app import log as logs
 from app.db.session import Database
 from app.profiles.repository import UnknownProfileError, samples
 from app.queue import Doorbell
 from app.settings import Settings
-from app.storage import STORE_ERRORS, HistoryStore
+from app.storage import STORE_ERRORS, HistoryStore, filename
 from solver.case import Case
 from solver.errors import SolverError
 from solver.peaks import peaks
@@ -33,7 +34,7 @@ from worker.history import archive
 from worker.peak import peak_at_boundary
 from worker.success import Success, wanting_history, write_down
 
-AWAY = (OperationalError, InterfaceError)  # what the database's being away ends in
+AWAY = (OperationalError, InterfaceError, InternalError)  # what the database's being away ends in
 PAUSE_S = 1.0  # between two looks whether what is away is back
 BLAMELESS = (StoppedError, lease.LeaseLostError, *AWAY)  # what ends an attempt at a case that is not to blame
 
@@ -57,22 +58,24 @@ class Worker:
     settings : Settings
     stopping : threading.Event
         Set when the worker is to stop; the cases at hand are put back.
+    draining : threading.Event, optional
+        Set when the worker is to end once the cases at hand are finished.
     """
 
-    def __init__(self, settings: Settings, stopping: threading.Event) -> None:
+    def __init__(self, settings: Settings, stopping: threading.Event, draining: threading.Event | None = None) -> None:
         self.settings = settings
-        self.stopping = stopping
-        self.database = Database(settings.resolved_database_url)
+        self.stopping, self.draining = stopping, draining or threading.Event()
+        self.database = Database(settings.resolved_database_url, settings.lease_s)
         self.doorbell = Doorbell(settings)
         self.histories = HistoryStore(settings.resolved_storage_url)
         self.name = presence.own_name()
         self.profiles = lru_cache(maxsize=4)(self._read_profile)  # cases of a study share them
 
-    def drain(self) -> int:
-        """Compute cases until none is queued, the worker is to stop or the database is away. Returns how many."""
+    def work(self) -> int:
+        """Compute cases until none is queued, the worker is to end or the database is away. Returns how many."""
         computed = 0
         try:
-            while not self.stopping.is_set():
+            while not (self.stopping.is_set() or self.draining.is_set()):
                 if batch := self._claim():
                     if not computed:
                         self.doorbell.ring()  # where one case is queued there may be more: wake the next worker
@@ -86,7 +89,12 @@ class Worker:
 
     def compute(self, batch: Sequence[Claim]) -> None:
         """Compute cases side by side and write down the outcome of each."""
-        with Heartbeat(self.database, batch, self.settings, self.stopping) as heartbeat:
+        studies = sorted({study_id for held in batch for study_id in held.study_ids})
+        with (
+            bound_contextvars(case_ids=[held.case_id for held in batch], study_ids=studies),
+            Heartbeat(self.database, batch, self.settings, self.stopping) as heartbeat,
+        ):
+            log.info("cases begun")
             outcomes = list(self._attempt(batch, heartbeat))
             successes = [outcome for _, outcome in outcomes if isinstance(outcome, Success)]
             written = self._write_together(successes, heartbeat) if successes else set()
@@ -97,10 +105,10 @@ class Worker:
                     if self._write(outcome, held, heartbeat):
                         written.add(held.case_id)
                 except Exception:  # as above
-                    log.exception("outcome not written", case_id=held.case_id)
+                    log.exception("outcome not written", **held.logged())
         for held in batch:
             if held.case_id not in written:
-                log.warning("lease lost", case_id=held.case_id, attempt=held.attempt)
+                log.warning("nothing written, as the lease is lost or will be", **held.logged())
 
     def _write_together(self, successes: Sequence[Success], heartbeat: Heartbeat) -> set[int]:
         """Write successes down. Returns the cases of which that was done."""
@@ -115,7 +123,7 @@ class Worker:
             return set()
         except Exception:  # one's lease will run out; its neighbours' outcomes are still to be written
             if len(successes) == 1:
-                log.exception("outcome not written", case_id=successes[0].held.case_id)
+                log.exception("outcome not written", **successes[0].held.logged())
                 return set()
         return set().union(*(self._write_together([each], heartbeat) for each in successes))
 
@@ -125,8 +133,11 @@ class Worker:
             held = verification.claim(session, self.settings.lease_s, self.settings.max_attempts)
         if held is None:
             return False
-        beating = Heartbeat(self.database, [held], self.settings, self.stopping, verification)
-        with suppress(StoppedError), beating as heartbeat:
+        with (
+            bound_contextvars(case_id=held.case_id),
+            suppress(StoppedError),
+            Heartbeat(self.database, [held], self.settings, self.stopping, verification) as heartbeat,
+        ):
             self._write(self._verified(held, heartbeat), held, heartbeat)
         return True
 
@@ -159,7 +170,7 @@ class Worker:
             if len(batch) == 1 or isinstance(error, BLAMELESS):
                 yield from ((held, self._broken_off(held, error)) for held in batch)
                 return
-            log.exception("attempt failed", case_ids=[held.case_id for held in batch])
+            log.exception("attempt failed")
             results = []  # and on out of here: the exception keeps the memory of what it broke
         if not results:
             for held in batch:
@@ -199,7 +210,7 @@ class Worker:
             return partial(ledger.release, held=held)
         if isinstance(error, UnknownProfileError):  # however often it were tried
             return partial(ledger.fail, held=held, code="profile-deleted", detail=str(error))
-        log.error("attempt failed", case_id=held.case_id, exc_info=error)
+        log.error("attempt failed", **held.logged(), exc_info=error)
         code, reason = (
             "memory-limit" if isinstance(error, MemoryError) else "poison",
             f"{type(error).__name__}: {error}",
@@ -216,7 +227,7 @@ class Worker:
         """
         content = archive(response)
         key = f"{held.digest}/{held.attempt}-{held.token}.npz"
-        self._patiently(partial(self.histories.put, key, content), [held], heartbeat)
+        self._patiently(partial(self.histories.put, key, content, filename(held.case_id)), [held], heartbeat)
         return {"key": key, "digest": hashlib.sha256(content).hexdigest(), "size_bytes": len(content)}
 
     def _write(self, outcome: Ending, held: lease.Lease, heartbeat: Heartbeat) -> bool:

@@ -6,6 +6,7 @@ import threading
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from contextvars import copy_context
 from types import ModuleType, TracebackType
 from typing import Self
 
@@ -55,7 +56,8 @@ class Heartbeat:
         self._fractions = dict.fromkeys(self._held, 0.0)
         self._deadline = self._leash_s = math.inf
         self._over = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="heartbeat", daemon=True)
+        context = copy_context()  # what the thread logs tells of the same cases
+        self._thread = threading.Thread(target=context.run, args=[self._run], name="heartbeat", daemon=True)
 
     def __enter__(self) -> Self:
         self._thread.start()

@@ -12,16 +12,21 @@ Every claim has a token. Whoever writes to a running case must hold it; a worker
 comes back late, finds it changed and writes nothing.
 """
 
+from collections import defaultdict
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import update
+import structlog
+from sqlalchemy import select, update
 from sqlalchemy.orm import Session
 
 from app import events
 from app.db import tally
-from app.db.models import Case, CaseState
+from app.db.models import Case, CaseState, StudyCase
 from app.db.types import Clock
+
+log = structlog.get_logger()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,10 +36,24 @@ class Lease:
     case_id: int
     token: str
     attempt: int
+    study_ids: Sequence[str] = ()  # that contain the case, for the log
+
+    def logged(self) -> dict[str, Any]:
+        """What a line of the log says of the case."""
+        return {"case_id": self.case_id, "attempt": self.attempt, "study_ids": self.study_ids}
 
 
 class LeaseLostError(Exception):
     """The case was given to another worker or cancelled."""
+
+
+def studies_of(session: Session, case_ids: Collection[int]) -> Mapping[int, list[str]]:
+    """The studies that contain cases, by case."""
+    found = defaultdict(list)
+    containing = select(StudyCase.case_id, StudyCase.study_id).where(StudyCase.case_id.in_(case_ids))
+    for case_id, study_id in session.execute(containing.order_by(StudyCase.case_id, StudyCase.study_id)):
+        found[case_id].append(study_id)
+    return found
 
 
 def extend(session: Session, held: Lease, lease_s: float, progress: float) -> bool:
@@ -47,6 +66,7 @@ def fail(session: Session, held: Lease, code: str, detail: str) -> bool:
     """Write down that a case cannot be computed. False if the lease is lost."""
     if not _end(session, held, "failed", {"error": {"code": code, "detail": detail}}):
         return False
+    log.warning("case failed", **held.logged(), code=code, detail=detail)
     events.cases_ended(session, [held.case_id], "failed")
     return True
 
@@ -55,11 +75,14 @@ def refuse(session: Session, case_id: int, code: str, detail: str) -> None:
     """Write down of a queued case, which the caller has locked, that nobody here can compute it."""
     values = {"state": "failed", "finished_at": Clock(), "error": {"code": code, "detail": detail}}
     session.execute(update(Case).where(Case.id == case_id).values(values))
+    study_ids = studies_of(session, [case_id])[case_id]
+    log.warning("case failed", case_id=case_id, study_ids=study_ids, code=code, detail=detail)
     events.cases_ended(session, [case_id], "failed")
 
 
 def give_up(session: Session, held: Lease, max_attempts: int, reason: str, code: str = "poison") -> bool:
     """End an attempt that had no outcome: queue the case again or, after the last attempt, let it fail."""
+    log.warning("attempt given up", **held.logged(), code=code, reason=reason)
     tally.count(session, "attempts_given_up", code)
     if held.attempt >= max_attempts:
         return fail(session, held, code, f"{held.attempt} attempts had no outcome; the last: {reason}")
@@ -68,6 +91,7 @@ def give_up(session: Session, held: Lease, max_attempts: int, reason: str, code:
 
 def release(session: Session, held: Lease) -> bool:
     """Put a case back as if it had not been claimed: the worker stops, and the case is not to blame."""
+    log.info("case put back", **held.logged())
     return _change(session, held, _QUEUED | {"attempt": held.attempt - 1})
 
 

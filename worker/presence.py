@@ -15,16 +15,16 @@ def own_name() -> str:
     return f"{socket.gethostname()}:{os.getpid()}"
 
 
-def announce(session: Session, name: str, lasting_s: float) -> None:
+def announce(session: Session, name: str, lasting_s: float, draining: bool = False) -> None:
     """Say that a worker is there for some time, and forget those that have not said so again in theirs."""
-    expires = Clock() + lasting_s
-    known = update(Worker).where(Worker.name == name).values(expires=expires).returning(Worker.name)
+    values = {"expires": Clock() + lasting_s, "draining": draining}
+    known = update(Worker).where(Worker.name == name).values(values).returning(Worker.name)
     if session.scalar(known) is None:
-        session.add(Worker(name=name, expires=expires))
+        session.add(Worker(name=name, **values))
     session.execute(delete(Worker).where(Worker.expires < Clock(), Worker.name != name))
 
 
 def count_with(session: Session, name: str) -> int:
-    """How many workers there are, this one among them whether it has said so or not."""
-    others = select(func.count()).where(Worker.expires > Clock(), Worker.name != name)
+    """How many workers take cases, this one among them whether it has said so or not."""
+    others = select(func.count()).where(Worker.expires > Clock(), ~Worker.draining, Worker.name != name)
     return 1 + (session.scalar(others) or 0)

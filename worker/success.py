@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import structlog
 from sqlalchemy import ARRAY, Connection, bindparam, delete, exists, func, insert, select, update
 from sqlalchemy.orm import Session
 
@@ -24,6 +25,8 @@ _SUCCEEDED = (
     .values(NO_LEASE | {"state": "succeeded", "finished_at": Clock(), "progress": 1.0, "error": None})
     .values(cpu_s=bindparam("ended_cpu_s"), processing=bindparam("ended_processing"))
 )
+
+log = structlog.get_logger()
 
 
 def wanting_history(session: Session, case_ids: Collection[int]) -> set[int]:
@@ -108,6 +111,7 @@ def _end(session: Session, done: Sequence[Success], cases: Mapping[int, Any]) ->
     if kept := [{"case_id": each.held.case_id, **each.history} for each in done if each.history is not None]:
         session.execute(delete(History).where(History.case_id.in_([row["case_id"] for row in kept])))
         session.execute(insert(History), kept)
+    log.info("cases succeeded", case_ids=ids)
     tally.count(session, "solver_cpu_s", by=sum(each.cpu_s for each in done))
     tally.count(session, "simulated_s", by=sum(each.simulated_s for each in done))
     events.cases_ended(session, ids, "succeeded")

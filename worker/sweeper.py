@@ -66,20 +66,23 @@ def _take_back(session: Session, max_attempts: int) -> None:
         .where(Case.state == "running", Case.lease_expires < Clock())
         .with_for_update(skip_locked=True, key_share=True)
     )
-    for row in session.execute(silent).all():
-        held = lease.Lease(case_id=row.id, token=row.lease_token, attempt=row.attempt)
-        log.warning("lease expired", case_id=row.id, attempt=row.attempt, worker=row.worker)
+    rows = session.execute(silent).all()
+    studies = lease.studies_of(session, [row.id for row in rows]) if rows else {}
+    for row in rows:
+        held = lease.Lease(case_id=row.id, token=row.lease_token, attempt=row.attempt, study_ids=studies[row.id])
+        log.warning("lease expired", **held.logged(), worker=row.worker)
         tally.count(session, "leases_expired")
         lease.give_up(session, held, max_attempts, f"worker {row.worker} fell silent")
 
 
-def collect_orphans(session: Session, histories: HistoryStore) -> int:
+def collect_orphans(database: Database, histories: HistoryStore) -> int:
     """Delete old objects of the history store that no row tells of, and none will. Returns how many.
 
     None will once the lease is gone under which the object was written: a worker may have waited for the database.
     """
-    held = session.scalars(select(Case.lease_token).where(Case.state == "running")).all()  # first: those may end now
-    told = set(session.scalars(select(History.key)))
+    with database.read() as session:  # and no longer: a store may take its time
+        held = session.scalars(select(Case.lease_token).where(Case.state == "running")).all()
+        told = set(session.scalars(select(History.key)))
     old = [key for key in histories.keys_older_than(ORPHANED_AFTER_S) if key not in told]
     orphans = [key for key in old if not any(str(token) in key for token in held)]
     for key in orphans:
@@ -97,11 +100,13 @@ class Sweeper:
     settings : Settings
     able : bool
         Whether the worker can compute.
+    draining : threading.Event, optional
+        Set when the worker takes no more cases.
     """
 
-    def __init__(self, settings: Settings, *, able: bool = True) -> None:
-        self._settings, self._able = settings, able
-        self._database = Database(settings.resolved_database_url)
+    def __init__(self, settings: Settings, *, able: bool = True, draining: threading.Event | None = None) -> None:
+        self._settings, self._able, self._draining = settings, able, draining or threading.Event()
+        self._database = Database(settings.resolved_database_url, settings.lease_s)
         self._doorbell = Doorbell(settings)
         self._pause_s = min(settings.lease_s / 3, LONGEST_PAUSE_S)
         self._over = threading.Event()
@@ -124,7 +129,7 @@ class Sweeper:
             try:
                 with self._database.write() as session:
                     if self._able:
-                        presence.announce(session, presence.own_name(), 3 * self._pause_s)
+                        presence.announce(session, presence.own_name(), 3 * self._pause_s, self._draining.is_set())
                     queued = sweep(session, self._settings.max_attempts, forbearing=was_away)
                 was_away = False
                 if queued:
@@ -149,5 +154,4 @@ class Sweeper:
     def _collect(self) -> None:
         histories = HistoryStore(self._settings.resolved_storage_url)
         histories.remove_pieces_older_than(ORPHANED_AFTER_S)
-        with self._database.read() as session:
-            collect_orphans(session, histories)
+        collect_orphans(self._database, histories)

@@ -2,11 +2,13 @@
 
 import faulthandler
 import os
+import signal
 import threading
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from celery.signals import worker_init, worker_ready, worker_shutting_down
+from celery.worker import state
 
 from app.queue import WORK
 from worker import memory
@@ -17,7 +19,7 @@ from worker.unable import UnableWorker
 if TYPE_CHECKING:
     from worker.compute import Worker
 
-stopping = threading.Event()
+stopping, draining = threading.Event(), threading.Event()
 
 
 @cache
@@ -37,13 +39,24 @@ def this_worker() -> "Worker | UnableWorker":
         return UnableWorker(SETTINGS, reason)
     from worker.compute import Worker  # noqa: PLC0415
 
-    return Worker(SETTINGS, stopping)
+    return Worker(SETTINGS, stopping, draining)
 
 
 @app.task(name=WORK)  # type: ignore[untyped-decorator]  # Celery has no types
 def work() -> None:
     """Compute whatever is queued."""
-    this_worker().drain()
+    this_worker().work()
+
+
+@worker_init.connect  # type: ignore[untyped-decorator]  # as above
+def _heed_draining(**_: Any) -> None:
+    signal.signal(signal.SIGUSR2, _drain)
+
+
+def _drain(*_: object) -> None:
+    """Finish the cases at hand, take no others, and end; a SIGTERM that comes meanwhile still puts them back."""
+    draining.set()
+    state.should_stop = os.EX_OK  # what Celery does at a SIGTERM, without telling `_stop`
 
 
 @worker_init.connect  # type: ignore[untyped-decorator]  # as above
@@ -63,7 +76,7 @@ def _be_modest(**_: Any) -> None:
 
 @worker_ready.connect  # type: ignore[untyped-decorator]  # as above
 def _start(**_: Any) -> None:
-    Sweeper(SETTINGS, able=why_unable() is None).start()
+    Sweeper(SETTINGS, able=why_unable() is None, draining=draining).start()
 
 
 @worker_shutting_down.connect  # type: ignore[untyped-decorator]  # as above

@@ -24,10 +24,10 @@ class UnableWorker:
     """
 
     def __init__(self, settings: Settings, reason: Exception) -> None:
-        self.database = Database(settings.resolved_database_url)
+        self.database = Database(settings.resolved_database_url, settings.lease_s)
         self._detail = f"The solver cannot be loaded: {type(reason).__name__}: {reason}"
 
-    def drain(self) -> int:
+    def work(self) -> int:
         """Fail what is queued, unless there is a worker that can compute it. Returns how many cases."""
         failed = 0
         try:

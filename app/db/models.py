@@ -12,6 +12,7 @@ from sqlalchemy import (
     MetaData,
     String,
     UniqueConstraint,
+    false,
 )
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
@@ -24,7 +25,7 @@ EventKind = Literal["state", "case", "done"]
 VerificationState = Literal["queued", "running", "succeeded", "failed"]
 VerificationOutcome = Literal["same", "differs"]
 Scope = Literal["read", "write", "admin"]
-SCHEMA = "0010"  # the revision of the migrations that makes these tables
+SCHEMA = "0011"  # the revision of the migrations that makes these tables
 
 
 class Base(DeclarativeBase):
@@ -76,7 +77,6 @@ class Study(Base):
     started_at: Mapped[float | None]
     finished_at: Mapped[float | None]
     cancel_requested_at: Mapped[float | None]
-    request_id: Mapped[str | None] = mapped_column(String(32))  # that created it, for the logs
 
 
 class Case(Base):
@@ -144,6 +144,7 @@ class Worker(Base):
 
     name: Mapped[str] = mapped_column(primary_key=True)
     expires: Mapped[float]
+    draining: Mapped[bool] = mapped_column(server_default=false())  # it takes no more cases
 
 
 class StudyShare(Base):

@@ -32,10 +32,13 @@ class Database:
     ----------
     url : str
         SQLAlchemy URL: ``sqlite:///FILE`` or ``postgresql+psycopg://…``.
+    pause_s : float, optional
+        PostgreSQL ends a transaction that does nothing for so long: whose it is was stopped or cut off, and others
+        wait for its locks.
     """
 
-    def __init__(self, url: str) -> None:
-        self.engine = create_engine_for(url)
+    def __init__(self, url: str, pause_s: float = 0.0) -> None:
+        self.engine = create_engine_for(url, pause_s=pause_s)
         self._writers = sessionmaker(self.engine, expire_on_commit=False)
         self._readers = sessionmaker(self.engine.execution_options(**_READING[self.engine.dialect.name]))
         # SQLite's own waiting looks again after ever longer pauses, so of many threads some would wait for seconds.
@@ -59,11 +62,11 @@ class Database:
         self.engine.dispose()
 
 
-def create_engine_for(url: str, *, foreign_keys: bool = True) -> Engine:
+def create_engine_for(url: str, *, foreign_keys: bool = True, pause_s: float = 0.0) -> Engine:
     """The engine for a URL; ``foreign_keys=False`` leaves them unenforced where the database allows (SQLite)."""
     if make_url(url).get_backend_name() == "sqlite":
         return _create_sqlite_engine(url, foreign_keys=foreign_keys)
-    return _create_postgresql_engine(url)
+    return _create_postgresql_engine(url, pause_s)
 
 
 def _create_sqlite_engine(url: str, *, foreign_keys: bool) -> Engine:
@@ -105,12 +108,16 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
             return
 
 
-def _create_postgresql_engine(url: str) -> Engine:
+def _create_postgresql_engine(url: str, pause_s: float) -> Engine:
     """An engine that notices a server that went away, and does not wait for ever. The server notices, too, when this
     host is cut off, and gives up the locks of whatever was going on.
     """
     silence = {"tcp_keepalives_idle": 10, "tcp_keepalives_interval": 5, "tcp_keepalives_count": 3}
-    of_server = silence | {"tcp_user_timeout": SILENCE_MS, "lock_timeout": BUSY_TIMEOUT_MS}
+    of_server = silence | {
+        "tcp_user_timeout": SILENCE_MS,
+        "lock_timeout": BUSY_TIMEOUT_MS,
+        "idle_in_transaction_session_timeout": round(1000 * pause_s),
+    }
     connect_args = {
         "connect_timeout": 5,
         "options": " ".join(f"-c {name}={value}" for name, value in of_server.items()),

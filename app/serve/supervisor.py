@@ -1,4 +1,7 @@
-"""Keep a handful of processes running: start them in order, restart what ends, stop all of them together."""
+"""Keep a handful of processes running: start them in order, restart what ends, stop all of them together.
+
+SIGUSR2 drains: the parts of the last stage get it too, are not restarted once they have ended, and then all else stops.
+"""
 
 import asyncio
 import ctypes
@@ -24,6 +27,7 @@ READY_TIMEOUT_S = 60.0
 READY_ATTEMPTS = 3
 STOP_TIMEOUT_S = 5.0
 STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+DRAIN_SIGNAL = signal.SIGUSR2
 
 PR_SET_PDEATHSIG = 1
 _libc = ctypes.CDLL(None)  # loaded here: little is safe between fork and exec
@@ -67,15 +71,27 @@ class Keeper:
         self.part = part
         self.log_file = log_file
         self.endings = 0
+        self._process: asyncio.subprocess.Process | None = None
+        self._draining = False
         self._log = log.bind(part=part.name)
 
+    def drain(self) -> None:
+        """Have the part end when it has finished what it is at."""
+        self._draining = True
+        if self._process is not None:
+            with suppress(ProcessLookupError):
+                self._process.send_signal(DRAIN_SIGNAL)
+
     async def keep(self) -> None:
-        """Run the part again and again, until cancelled."""
+        """Run the part again and again, until cancelled or drained."""
         pause = FIRST_PAUSE_S
-        while True:
+        while not self._draining:
             started = time.monotonic()
             code = await self._run_once()
             self.endings += 1
+            if self._draining:
+                self._log.info("part drained", exit_code=code)
+                return
             if time.monotonic() - started > STEADY_S:
                 pause = FIRST_PAUSE_S
             self._log.warning("part ended, will be restarted", exit_code=code, pause_s=pause, log=str(self.log_file))
@@ -92,7 +108,7 @@ class Keeper:
 
     async def _run_once(self) -> int:
         with self.log_file.open("ab") as output:
-            process = await asyncio.create_subprocess_exec(
+            process = self._process = await asyncio.create_subprocess_exec(
                 *self.part.command,
                 stdin=subprocess.DEVNULL,
                 stdout=output,
@@ -125,13 +141,19 @@ class Keeper:
 
 
 @asynccontextmanager
-async def _stage(parts: Sequence[Part], logs: Path) -> AsyncIterator[None]:
-    """Parts that start and stop side by side."""
+async def _stage(parts: Sequence[Part], logs: Path) -> AsyncIterator[Callable[[], Awaitable[None]]]:
+    """Parts that start and stop side by side, and what drains them."""
     keepers = [Keeper(part, logs / f"{part.name}.log") for part in parts]
     tasks = [asyncio.create_task(keeper.keep()) for keeper in keepers]
+
+    async def drain() -> None:
+        for keeper in keepers:
+            keeper.drain()
+        await asyncio.gather(*tasks)
+
     try:
         await asyncio.gather(*(keeper.wait_until_ready() for keeper in keepers))
-        yield
+        yield drain
     finally:
         for task in tasks:
             task.cancel()
@@ -139,7 +161,8 @@ async def _stage(parts: Sequence[Part], logs: Path) -> AsyncIterator[None]:
 
 
 async def supervise(stages: Sequence[Sequence[Part]], logs: Path, on_ready: Callable[[], None]) -> None:
-    """Start the stages one after another and keep them up until a signal; then stop them in reverse order.
+    """Start the stages one after another and keep them up until a signal; then stop them in reverse order, the last
+    one drained before if that is what the signal says.
 
     Raises
     ------
@@ -156,9 +179,13 @@ async def supervise(stages: Sequence[Sequence[Part]], logs: Path, on_ready: Call
 
     for number in STOP_SIGNALS:
         loop.add_signal_handler(number, stop, number)
+    draining = asyncio.Event()
+    loop.add_signal_handler(DRAIN_SIGNAL, draining.set)
     with suppress(asyncio.CancelledError):
         async with AsyncExitStack() as running:
             for parts in stages:
-                await running.enter_async_context(_stage(parts, logs))
+                drain = await running.enter_async_context(_stage(parts, logs))
             on_ready()
-            await loop.create_future()
+            await draining.wait()
+            log.info("draining", signal=DRAIN_SIGNAL.name)
+            await drain()

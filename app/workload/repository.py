@@ -37,8 +37,11 @@ def _workers(session: Session, caller: Caller, running: Counter[str | None]) -> 
     cases: dict[str | None, list[RunningCase]] = {}
     for case in session.execute(visible):
         cases.setdefault(case.worker, []).append(RunningCase.model_validate(case))
-    names = session.scalars(select(Worker.name).where(Worker.expires > Clock()).order_by(Worker.name))
-    return [WorkerInfo(name=name, running=running[name], cases=cases.get(name, [])) for name in names]
+    there = session.execute(select(Worker.name, Worker.draining).where(Worker.expires > Clock()).order_by(Worker.name))
+    return [
+        WorkerInfo(name=name, draining=draining, running=running[name], cases=cases.get(name, []))
+        for name, draining in there
+    ]
 
 
 def _throughput(session: Session) -> Throughput:

@@ -23,6 +23,7 @@ class WorkerInfo(BaseModel):
     """A worker that said lately that it is there."""
 
     name: str
+    draining: bool = Field(description="Whether it takes no more cases, and ends when these are finished.")
     running: int = Field(description="Cases it computes now, side by side.")
     cases: list[RunningCase] = Field(description="Those of them that the caller sees.")
 

@@ -1,4 +1,4 @@
-"""What is counted for operators, and which request created a study."""
+"""What is counted for operators."""
 
 import sqlalchemy as sa
 from alembic import op
@@ -18,10 +18,8 @@ def upgrade() -> None:
         sa.Column("value", sa.Double(), nullable=False),
         sa.PrimaryKeyConstraint("name", "label", name=op.f("pk_tally")),
     )
-    op.add_column("study", sa.Column("request_id", sa.String(length=32), nullable=True))
 
 
 def downgrade() -> None:
     """Take back."""
-    op.drop_column("study", "request_id")
     op.drop_table("tally")

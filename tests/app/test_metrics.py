@@ -4,13 +4,11 @@ import json
 import os
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
 from collections import Counter
 from collections.abc import Callable
-from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +25,7 @@ from app.db.models import SCHEMA, Case
 from app.db.session import Database
 from app.db.types import Clock
 from app.settings import Settings
+from tests.conftest import free_port
 from tests.outcomes import succeed
 from worker import lease, presence
 from worker.claim import claim
@@ -165,8 +164,7 @@ def test_the_schema_that_is_expected_is_the_newest(database: Database) -> None:
 
 
 def test_processes_behind_one_port_count_together(tmp_path: Path) -> None:
-    with closing(socket.create_server(("127.0.0.1", 0))) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     own = {"TRACKSWEEP_DATA_DIR": str(tmp_path), "TRACKSWEEP_API_PROCESSES": "2", "TRACKSWEEP_PORT": str(port)}
     own |= {"TRACKSWEEP_BROKER_URL": f"redis+socket://{tmp_path}/nobody"}
     migrations.upgrade(f"sqlite:///{tmp_path}/tracksweep.db")

@@ -24,7 +24,9 @@ def test_an_empty_queue(client: httpx.Client) -> None:
 
 def begin(database: Database, *names: str) -> None:
     with database.write() as session:
-        session.execute(insert(Worker), [{"name": name, "expires": 1e12} for name in names])
+        session.execute(
+            insert(Worker), [{"name": name, "expires": 1e12, "draining": name == "there:2"} for name in names]
+        )
         session.execute(insert(Worker), {"name": "gone", "expires": 1.0})
 
 
@@ -46,7 +48,11 @@ def test_what_waits_and_what_runs_where(client: httpx.Client, study: dict[str, A
     assert found["oldest_queued_at"] == oldest
     assert found["throughput"] == {"last_minute": 1, "last_hour": 2, "cpu_s_last_hour": 2.0}
     here, there = found["workers"]
-    assert (here["name"], here["running"], there) == ("here:1", 1, {"name": "there:2", "running": 0, "cases": []})
+    assert (here["name"], here["running"], there) == (
+        "here:1",
+        1,
+        {"name": "there:2", "draining": True, "running": 0, "cases": []},
+    )
     (case,) = here["cases"]
     assert (case["id"], case["progress"], case["speed_kmh"], case["attempt"]) == (ids[0], 0.25, 250.0, 1)
 

@@ -139,6 +139,32 @@ def test_a_case_of_a_newer_solver_waits_for_who_knows_it(database: Database) -> 
         assert claim(session, "test", 15.0) == []
 
 
+def test_solvers_of_two_versions_compute_cases_of_their_own(
+    database: Database, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    old_version = f"{int(SOLVER_VERSION) - 1}"
+
+    def claim_by(version: str) -> list[int]:
+        monkeypatch.setattr("worker.claim.SOLVER_VERSION", version)
+        with database.write() as session:
+            return [held.case_id for held in claim(session, f"of version {version}", 15.0, lanes=1)]
+
+    with database.write() as session:
+        for speed in (300, 310):
+            file = CaseFile.model_validate({"speed_kmh": speed, "irregularity": {"kind": "none"}})
+            session.add(Case(**row_of(file.to_case(), priority=0) | {"solver_version": old_version}))
+    begun = claim_by(old_version)
+    assert claim_by(SOLVER_VERSION) == []
+    with database.write() as session:
+        sweep(session, max_attempts=3)  # of a new worker: what is queued becomes its own
+    assert claim_by(old_version) == []
+    taken = claim_by(SOLVER_VERSION)
+    with database.read() as session:
+        versions = dict(session.execute(select(Case.id, Case.solver_version)).all())
+    assert versions == dict.fromkeys(begun, old_version) | dict.fromkeys(taken, SOLVER_VERSION)
+    assert len(versions) == 2
+
+
 @the_first
 def test_a_long_reader_ends_the_upgrade_and_not_the_other_way_round(
     old_url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

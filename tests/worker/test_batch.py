@@ -40,7 +40,7 @@ def worker(context: Context, stopping: threading.Event) -> Iterator[Worker]:
 @pytest.fixture
 def in_background(worker: Worker, stopping: threading.Event) -> Iterator[threading.Thread]:
     """The worker at work, once the test starts it."""
-    thread = threading.Thread(target=worker.drain)
+    thread = threading.Thread(target=worker.work)
     yield thread
     stopping.set()
     thread.join()
@@ -69,7 +69,7 @@ def change(context: Context, case_id: int, **values: Any) -> None:
 
 def test_peaks_are_those_of_cases_computed_alone(context: Context, submit: Submit, worker: Worker) -> None:
     study = submit(300, amplitudes=THREE)
-    assert worker.drain() == 3
+    assert worker.work() == 3
     computed = rows(context)
     started, finished = zip(*[(row.started_at or 0.0, row.finished_at or 0.0) for row in computed], strict=True)
     assert max(started) < min(finished)
@@ -100,7 +100,7 @@ def test_a_diverging_lane_fails_alone(context: Context, submit: Submit, worker: 
 def test_an_unexpected_error_charges_only_its_case(context: Context, submit: Submit, worker: Worker) -> None:
     submit(300, amplitudes=THREE)
     change(context, rows(context)[1].id, inputs={"speed": 1.0})
-    assert worker.drain() == 3 + 2  # the broken one again, alone, until it is poison
+    assert worker.work() == 3 + 2  # the broken one again, alone, until it is poison
     assert ends(context) == [("succeeded", 1), ("failed", 3), ("succeeded", 1)]
     assert rows(context)[1].error is not None
     assert "KeyError" in str(rows(context)[1].error)
@@ -171,7 +171,7 @@ def test_where_one_attempt_is_all_a_case_has_nobody_rides(context: Context, subm
     submit(300, amplitudes=THREE, numerics=FOR_EVER)
     stopping = threading.Event()
     worker = Worker(context.settings.model_copy(update={"max_attempts": 1}), stopping)
-    thread = threading.Thread(target=worker.drain)
+    thread = threading.Thread(target=worker.work)
     thread.start()
     until(lambda: any(row.state == "running" for row in rows(context)))
     assert sorted(row.state for row in rows(context)) == ["queued", "queued", "running"]

@@ -5,6 +5,7 @@ import json
 import threading
 import time
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from solver import case as solver_case
 from solver.peaks import peaks
 from solver.processing import processing
 from solver.simulate import Response, solve
+from worker import compute
 from worker.compute import Worker
 
 Submit = Callable[..., StudyDetail]
@@ -44,7 +46,7 @@ def only_case(context: Context) -> Case:
 
 def test_a_study_is_computed(context: Context, submit: Submit, worker: Worker) -> None:
     study = submit(250, 300)
-    assert worker.drain() == 2
+    assert worker.work() == 2
     with context.database.read() as session:
         assert studies.get(session, study.id).state == "succeeded"
         rows = session.scalars(select(Case).order_by(Case.id)).all()
@@ -63,7 +65,7 @@ def test_a_study_is_computed(context: Context, submit: Submit, worker: Worker) -
 
 def test_a_history_is_kept_if_asked_for(context: Context, submit: Submit, worker: Worker) -> None:
     submit(300, keep_history=True)
-    worker.drain()
+    worker.work()
     row = only_case(context)
     with context.database.read() as session:
         history = histories.find(session, row.id).history
@@ -81,7 +83,7 @@ def test_a_history_is_kept_if_asked_for(context: Context, submit: Submit, worker
 def test_a_case_that_cannot_be_solved_fails_at_once(context: Context, submit: Submit, worker: Worker) -> None:
     """Next to no pads under a car of a thousand tonnes: the wheels fall without end."""
     submit(300, track={"pad_stiffness_n_per_m": 1e-6}, vehicle={"car_body_mass_kg": 1e6})
-    assert worker.drain() == 1
+    assert worker.work() == 1
     case = only_case(context)
     assert (case.state, case.attempt, case.processing) == ("failed", 1, None)
     assert case.error is not None
@@ -94,7 +96,7 @@ def test_an_attempt_that_breaks_is_repeated_until_it_is_poison(
     submit(300)
     with context.database.write() as session:
         session.execute(update(Case).values(inputs={"speed": 1.0}))
-    assert worker.drain() == context.settings.max_attempts
+    assert worker.work() == context.settings.max_attempts
     case = only_case(context)
     assert (case.state, case.attempt) == ("failed", 3)
     assert case.error is not None
@@ -109,7 +111,7 @@ def test_progress_is_seen_and_a_stopped_worker_puts_its_case_back(
     context: Context, submit: Submit, worker: Worker, stopping: threading.Event
 ) -> None:
     study = submit(300, numerics=SLOW)
-    thread = threading.Thread(target=worker.drain)
+    thread = threading.Thread(target=worker.work)
     thread.start()
     while True:
         with context.database.read() as session:
@@ -127,7 +129,7 @@ def test_progress_is_seen_and_a_stopped_worker_puts_its_case_back(
 
 def test_a_case_taken_away_is_not_computed_to_its_end(context: Context, submit: Submit, worker: Worker) -> None:
     submit(300, numerics=SLOW)
-    thread = threading.Thread(target=worker.drain)
+    thread = threading.Thread(target=worker.work)
     thread.start()
     while only_case(context).state != "running":
         time.sleep(0.05)
@@ -142,9 +144,31 @@ def test_a_case_that_takes_too_long_is_given_up(context: Context, submit: Submit
     submit(300, numerics=SLOW)
     limits = {"case_time_limit_s": 0.2, "max_attempts": 2, "lease_s": 600.0}  # the watchdog would end this process
     worker = Worker(context.settings.model_copy(update=limits), threading.Event())
-    assert worker.drain() == 2
+    assert worker.work() == 2
     case = only_case(context)
     assert (case.state, case.attempt) == ("failed", 2)
     assert case.error is not None
     assert case.error["code"] == "time-limit"
     worker.database.close()
+
+
+@pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
+def test_an_outcome_is_written_again_after_a_pause_that_cost_its_transaction(
+    context: Context, submit: Submit, stopping: threading.Event, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = submit(300)
+    write_down, pauses = compute.write_down, iter([1.0])
+
+    def paused(*arguments: Any) -> set[int]:
+        written = write_down(*arguments)
+        time.sleep(next(pauses, 0.0))  # before the commit
+        return written
+
+    monkeypatch.setattr(compute, "write_down", paused)
+    worker = Worker(context.settings.model_copy(update={"lease_s": 0.5}), stopping)
+    assert worker.work() == 1
+    worker.database.close()
+    with context.database.read() as session:
+        assert studies.get(session, study.id).state == "succeeded"
+    assert only_case(context).attempt == 1
+    assert next(pauses, None) is None

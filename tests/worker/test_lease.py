@@ -8,6 +8,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import pytest
 from sqlalchemy import func, select, update
+from sqlalchemy.exc import InternalError
 
 from app.context import Context
 from app.db.models import Case, Event, IdempotencyKey, Peak
@@ -16,10 +17,12 @@ from app.db.types import Clock
 from app.idempotency import KEPT_S
 from app.studies import service
 from app.studies.schemas import StudyDetail
+from tests.e2e.conftest import until
 from tests.outcomes import succeed
 from worker import claim as claims
 from worker import lease
 from worker.claim import Claim
+from worker.success import Success, write_down
 from worker.sweeper import sweep
 
 Submit = Callable[..., StudyDetail]
@@ -141,7 +144,7 @@ def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(
         assert any(pool.map(run, range(4)))
     again = claim(database)
     assert (again.case_id, again.attempt) == (late.case_id, late.attempt + 1)
-    found = [{"quantity": "pad_force", "position": "middle", "unit": "N"} | dict.fromkeys(STATISTICS, 1.0)]
+    found = [_peak()]
     with database.write() as session:
         assert not lease.extend(session, late, 15.0, 0.9)
         assert not succeed(session, late, peaks=found, processing={}, history=None, cpu_s=1.0)
@@ -153,6 +156,46 @@ def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(
         assert succeed(session, again, peaks=found, processing={}, history=None, cpu_s=1.0)
     with database.read() as session:
         assert session.scalar(select(func.count()).select_from(Peak)) == 1
+
+
+def test_of_cases_written_together_one_that_was_lost_keeps_what_another_wrote(
+    database: Database, submit: Submit
+) -> None:
+    submit(300, amplitudes=(0.1, 0.2, 0.3))
+    with database.write() as session:
+        first, second, *_ = claims.claim(session, "test", 15.0)
+        session.execute(update(Case).where(Case.id == first.case_id).values(lease_token="of another"))
+    outcome = {"peaks": [_peak()], "processing": {}, "history": None, "cpu_s": 1.0, "simulated_s": 1.0}
+    with database.write() as session:
+        successes = [Success(held=held, **outcome) for held in (first, second)]
+        assert write_down(session, successes) == {second.case_id}
+    assert [get(database, held.case_id).state for held in (first, second)] == ["running", "succeeded"]
+    with database.read() as session:
+        assert session.scalars(select(Peak.case_id)).all() == [second.case_id]
+        told = session.scalars(select(Event.payload).where(Event.kind == "case")).all()
+    assert told == [{"case_id": second.case_id, "state": "succeeded"}]
+
+
+@pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
+def test_a_worker_that_is_stopped_amid_a_transaction_does_not_hold_its_locks_for_longer_than_a_lease(
+    database: Database, database_url: str, submit: Submit
+) -> None:
+    submit(300)
+    held = claim(database)
+    expire(database)
+    stopped = Database(database_url, pause_s=0.5)
+    with stopped.engine.connect() as connection:
+        assert connection.scalars(select(Case.id).with_for_update()).all() == [held.case_id]
+        swept(database)
+        assert get(database, held.case_id).state == "running"
+        until(lambda: swept(database) and get(database, held.case_id).state == "queued", 30)
+        with pytest.raises(InternalError, match="idle-in-transaction"):
+            connection.commit()
+    stopped.close()
+
+
+def _peak() -> dict[str, object]:
+    return {"quantity": "pad_force", "position": "middle", "unit": "N"} | dict.fromkeys(STATISTICS, 1.0)
 
 
 STATISTICS = ("peak", "maximum", "minimum", "mean", "std", "rms", "time_s", "track_position_m")

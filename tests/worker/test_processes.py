@@ -19,6 +19,7 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail
+from tests.app.conftest import serving
 from worker import presence, verification
 
 SECONDS_LONG = {
@@ -102,6 +103,28 @@ def test_the_life_of_workers(context: Context, submit: Callable[..., StudyDetail
         per_case = select(func.count(Peak.id)).group_by(Peak.case_id)
         assert len(set(session.scalars(per_case))) == 1
         assert session.scalar(select(func.count()).where(Event.kind == "done")) == 3
+
+
+@pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
+def test_a_drained_worker_finishes_what_it_computes(
+    context: Context, submit: Callable[..., StudyDetail], processes: Any
+) -> None:
+    def cases() -> list[Case]:
+        with context.database.read() as session:
+            return list(session.scalars(select(Case).order_by(Case.turn)))
+
+    drained = processes.start()
+    submit(300, numerics=SECONDS_LONG | {"window_s": 12.0})
+    until(lambda: cases()[0].state == "running")
+    submit(310)
+    drained.send_signal(signal.SIGUSR2)
+    with serving(context.settings) as client:
+        (worker,) = until(lambda: [each for each in client.get("/v1/queue").json()["workers"] if each["draining"]])
+    assert worker["running"] == 1
+    assert drained.wait(timeout=120) == 0
+    first, second = cases()
+    assert (first.state, first.attempt, first.worker) == ("succeeded", 1, worker["name"])
+    assert (second.state, second.attempt, second.worker) == ("queued", 0, None)
 
 
 @pytest.mark.parametrize("database_url", ["sqlite"], indirect=True)

@@ -41,14 +41,14 @@ def stored(database: Database) -> list[tuple[int, float, float]]:
 
 def test_a_stored_case_is_verified(context: Context, database: Database, submit: Submit, worker: Worker) -> None:
     submit(300)
-    assert worker.drain() == 1
+    assert worker.work() == 1
     with database.read() as session:
         (case_id,) = session.scalars(select(Case.id))
     asked = service.request(context, case_id)
     assert service.request(context, case_id) == asked  # it is on its way
     assert asked.state == "queued"
     peaks = stored(database)
-    assert worker.drain() == 0
+    assert worker.work() == 0
     done = latest(database, case_id)
     assert (done.state, done.outcome, done.error) == ("succeeded", "same", None)
     assert done.differences is not None
@@ -57,7 +57,7 @@ def test_a_stored_case_is_verified(context: Context, database: Database, submit:
         session.execute(update(Peak).where(Peak.quantity == "pad_force").values(rms=Peak.rms * 1.01))
     meddled = stored(database)
     service.request(context, case_id)
-    worker.drain()
+    worker.work()
     found = latest(database, case_id)
     assert found.outcome == "differs"
     assert found.differences is not None
@@ -116,12 +116,12 @@ def test_a_cancelled_computation_leaves_no_peaks(
 ) -> None:
     """The case had succeeded, and was to be computed once more for its history."""
     first = submit(300)
-    worker.drain()
+    worker.work()
     lifecycle.remove(context, first.id)
     again = submit(300, keep_history=True)
     assert again.cases.queued == 1
     lifecycle.cancel(context, again.id)
     assert stored(database) == []
     submit(300)
-    worker.drain()
+    worker.work()
     assert stored(database) != []

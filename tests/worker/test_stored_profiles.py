@@ -35,14 +35,14 @@ def test_what_a_deleted_profile_leaves_cannot_be_computed_again(context: Context
     study = StudyRequest.model_validate({"name": "A line", "sweep": sweep, "numerics": QUICK})
     created = studies.create(context, study, None)
     worker = Worker(context.settings, threading.Event())
-    assert worker.drain() == 1
+    assert worker.work() == 1
     with context.database.read() as session:
         case_id = session.scalars(select(Case.id)).one()
     verifications.request(context, case_id)
     lifecycle.remove(context, created.id)
     profiles.remove(context, stored.id, ANYBODY)
     worker.profiles.cache_clear()
-    worker.drain()
+    worker.work()
     with context.database.read() as session:
         found = verifications.get(session, case_id)
     assert found.error is not None
@@ -52,7 +52,7 @@ def test_what_a_deleted_profile_leaves_cannot_be_computed_again(context: Context
     assert (refused.value.status_code, refused.value.code) == (409, "profile-deleted")
     profiles.create(context, TEXT, ANYBODY)
     verifications.request(context, case_id)
-    worker.drain()
+    worker.work()
     worker.database.close()
     with context.database.read() as session:
         assert verifications.get(session, case_id).outcome == "same"
@@ -71,7 +71,7 @@ def test_a_case_whose_profile_is_gone_fails_at_once(context: Context) -> None:
         session.execute(delete(StudyProfile))
         session.execute(delete(Profile))
     worker = Worker(context.settings, threading.Event())
-    assert worker.drain() == 3
+    assert worker.work() == 3
     worker.database.close()
     with context.database.read() as session:
         cases = session.scalars(select(Case)).all()
@@ -88,7 +88,7 @@ def test_peaks_over_a_stored_profile_are_those_over_the_file(context: Context, t
     study = {"name": "A line", "sweep": sweep, "numerics": QUICK}
     studies.create(context, StudyRequest.model_validate(study), None)
     worker = Worker(context.settings, threading.Event())
-    assert worker.drain() == 2
+    assert worker.work() == 2
     worker.database.close()
 
     (tmp_path / "profile.csv").write_text(TEXT)

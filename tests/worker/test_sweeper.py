@@ -5,11 +5,14 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 import redis
 
 from app.context import Context
+from app.db.session import Database
 from app.queue import QUEUE, Doorbell
 from app.settings import Settings
+from app.storage import HistoryStore
 from app.studies.schemas import StudyDetail
 from tests.outcomes import succeed
 from worker import lease
@@ -62,12 +65,26 @@ def test_orphans_are_collected(context: Context, submit: Submit, tmp_path: Path)
         os.utime(tmp_path / "histories" / key, (long_ago, long_ago))
 
     store.remove_pieces_older_than(ORPHANED_AFTER_S)
-    with context.database.read() as session:
-        assert collect_orphans(session, store) == 1
+    assert collect_orphans(context.database, store) == 1
     left = [file.relative_to(tmp_path / "histories") for file in (tmp_path / "histories").rglob("*.npz*")]
     assert sorted(map(str, left)) == ["fresh/1-c.npz", pieces[1], "told/1-a.npz", waiting]
     with context.database.write() as session:
         lease.release(session, untold[0])
-    with context.database.read() as session:
-        assert collect_orphans(session, store) == 1
+    assert collect_orphans(context.database, store) == 1
     store.delete(waiting)  # as another sweeper may have done meanwhile
+
+
+@pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
+def test_no_transaction_waits_for_the_store(
+    context: Context, database_url: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    listed = HistoryStore.keys_older_than
+
+    def slowly(store: HistoryStore, age_s: float) -> list[str]:
+        time.sleep(0.5)
+        return list(listed(store, age_s))
+
+    monkeypatch.setattr(HistoryStore, "keys_older_than", slowly)
+    database = Database(database_url, pause_s=0.2)
+    assert collect_orphans(database, context.histories) == 0
+    database.close()

@@ -16,10 +16,10 @@ def test_it_leaves_cases_to_those_who_can(context: Context, submit: Submit) -> N
     unable = UnableWorker(context.settings, ImportError("built for another machine"))
     with context.database.write() as session:
         presence.announce(session, "somebody", 60.0)
-    assert unable.drain() == 0
+    assert unable.work() == 0
     with context.database.write() as session:
         session.execute(update(Worker).values(expires=Clock() - 1.0))
-    assert unable.drain() == 2
+    assert unable.work() == 2
     unable.database.close()
     with context.database.read() as session:
         ended = service.get(session, study.id)

@@ -2,22 +2,20 @@
 
 import os
 import signal
-import socket
 import subprocess
 import sys
 import time
-from contextlib import closing
 from pathlib import Path
 
 import httpx
 import psutil
 
 import migrations
+from tests.conftest import free_port
 
 
 def test_several_processes_answer_and_one_that_dies_is_replaced(tmp_path: Path) -> None:
-    with closing(socket.create_server(("127.0.0.1", 0))) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     migrations.upgrade(f"sqlite:///{tmp_path}/tracksweep.db")
     settings = {"TRACKSWEEP_DATA_DIR": str(tmp_path), "TRACKSWEEP_API_PROCESSES": "2", "TRACKSWEEP_PORT": str(port)}
     with (tmp_path / "log").open("w") as log:

@@ -113,3 +113,19 @@ def test_a_signal_while_parts_come_up_stops_them(tmp_path: Path) -> None:
     started = time.monotonic()
     asyncio.run(supervise([[part("slow", FOREVER, ready=interrupted)]], tmp_path, pytest.fail))
     assert time.monotonic() - started < 10
+
+
+def test_the_last_stage_is_drained_before_the_others_stop(tmp_path: Path) -> None:
+    order = tmp_path / "order"
+    script = f"""
+import pathlib, signal, sys
+def end(number, _):
+    with open(sys.argv[1], "a") as file: file.write(sys.argv[2] + signal.Signals(number).name + " ")
+    sys.exit()
+for number in signal.SIGTERM, signal.SIGUSR2: signal.signal(number, end)
+pathlib.Path(sys.argv[1] + sys.argv[2]).touch()
+{FOREVER}
+"""
+    stages = [[part(name, script, order, name, ready=exists(tmp_path / f"order{name}"))] for name in "ab"]
+    asyncio.run(supervise(stages, tmp_path, lambda: os.kill(os.getpid(), signal.SIGUSR2)))
+    assert order.read_text().split() == ["bSIGUSR2", "aSIGTERM"]
