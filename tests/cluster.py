@@ -24,6 +24,24 @@ DURABLE = "-c max_wal_size=4GB -c shared_buffers=1GB"  # and all else as Postgre
 START_S = 120.0
 
 
+def broker(host: Host, folder: Path) -> list[str]:
+    """The command of a broker that other hosts reach, and that forgets nothing."""
+    options = ["--bind", host.address, "--protected-mode", "no", "--appendonly", "yes", "--save", ""]
+    return [server(), *options, "--maxmemory-policy", "noeviction", "--dir", str(folder)]
+
+
+def api(host: Host) -> list[str]:
+    """The command of an API that other hosts reach."""
+    return [sys.executable, "-m", "worker.cli", "api", "--host", host.address, "--port", str(PORT)]
+
+
+def is_ready(http: httpx.Client) -> bool:
+    """Whether the API is."""
+    with suppress(httpx.HTTPError):
+        return http.get("/readyz").is_success
+    return False
+
+
 class Cluster:
     """A service whose first host answers and whose others compute.
 
@@ -57,21 +75,13 @@ class Cluster:
 
     def start(self) -> None:
         """Start the broker and the API, and wait for them."""
-        broker = ["--bind", self.center.address, "--protected-mode", "no", "--appendonly", "yes", "--save", ""]
-        broker += ["--maxmemory-policy", "noeviction", "--dir", str(self.folder)]
-        self._start(self.center, "broker", [server(), *broker])
-        api = ["-m", "worker.cli", "api", "--host", self.center.address, "--port", str(PORT)]
-        self.api = self._start(self.center, "api", [sys.executable, *api])
+        self._start(self.center, "broker", broker(self.center, self.folder))
+        self.api = self._start(self.center, "api", api(self.center))
         deadline = time.monotonic() + START_S
-        while not self._ready():
+        while not is_ready(self.http):
             if time.monotonic() > deadline or self.api.poll() is not None:
                 raise TimeoutError((self.folder / "api.log").read_text())
             time.sleep(0.1)
-
-    def _ready(self) -> bool:
-        with suppress(httpx.HTTPError):
-            return self.http.get("/readyz").is_success
-        return False
 
     def start_worker(self, host: Host, command: Sequence[str] = WORKER) -> subprocess.Popen[bytes]:
         """One more worker on a host."""

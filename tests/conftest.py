@@ -152,11 +152,16 @@ def broker_url() -> Iterator[str]:
             server.terminate()
 
 
+def free_port() -> int:
+    """A port that nobody listens on."""
+    with closing(socket.create_server(("127.0.0.1", 0))) as free:
+        return int(free.getsockname()[1])
+
+
 @pytest.fixture
 def broker_tcp() -> Iterator[str]:
     """A broker that other machines could reach."""
-    with closing(socket.create_server(("127.0.0.1", 0))) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     options = ["--port", str(port), "--bind", "127.0.0.1", "--save", ""]
     with subprocess.Popen([__valkey_executable__, *options], stdout=subprocess.DEVNULL) as server:
         while True:

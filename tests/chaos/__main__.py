@@ -28,7 +28,8 @@ def main() -> None:
     commands = parser.add_subparsers(dest="command", required=True)
     run = commands.add_parser("run", help="one run")
     run.add_argument("record", type=Path)
-    run.add_argument("--database", choices=["sqlite", "postgresql"], required=True)
+    kinds = ["sqlite", "postgresql", "hosts"]
+    run.add_argument("--database", choices=kinds, required=True, help="hosts: PostgreSQL and a network; takes root")
     run.add_argument("--faults", type=int, default=75)
     run.add_argument("--seed", type=int, default=1)
     run.add_argument("--control", choices=CONTROLS)

@@ -15,11 +15,12 @@ from app.db.models import Case
 from app.storage import HistoryStore
 from tests.chaos import remains
 from tests.chaos.clients import Client
-from tests.chaos.faults import FAULTS, Fault, jump_clock
+from tests.chaos.faults import FAULTS, Fault, possible
 from tests.chaos.record import Record
 from tests.chaos.system import LEASE_S, MAX_ATTEMPTS, SWEEP_S, System, system, until
 
-CLIENTS, WORKERS = 4, 2
+CLIENTS = 4
+WORKERS = {"sqlite": 2, "postgresql": 2, "hosts": 4}
 PAUSE_S = 1.2  # between two faults, on average
 CASES_PER_FAULT = 25  # or there is no telling what part of the work is done twice, least of all on a slow machine
 PATIENCE_S = 120.0  # until a worker is there again
@@ -48,11 +49,12 @@ def run(
         lease_s=LEASE_S,
         sweep_s=SWEEP_S,
         max_attempts=MAX_ATTEMPTS,
-        workers=WORKERS,
+        workers=WORKERS[database],
         clients=CLIENTS,
         complete_set=remains.complete_set(),
     )
-    with system(database, record, **environment) as made, made.running(WORKERS):
+    workers = WORKERS[database]
+    with system(database, record, workers + 1, **environment) as made, made.running(workers):
         stopping, over = Event(), Event()
         url = str(made.service.http.base_url)
         clients = [Client(url, record, f"client-{n}", seed, stopping, over) for n in range(CLIENTS)]
@@ -99,7 +101,7 @@ def let_work(made: System, enough: int) -> None:
 
 def deck(made: System, count: int, rng: Random) -> list[Fault]:
     """Which faults, in which order: each as often as it weighs, shuffled."""
-    cards = [fault for fault, weight in FAULTS.items() for _ in range(weight) if made.library or fault != jump_clock]
+    cards = possible(made)
     drawn: list[Fault] = []
     while len(drawn) < count:
         rng.shuffle(cards)

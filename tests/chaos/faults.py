@@ -16,6 +16,8 @@ from typing import Any
 import psutil
 import redis
 
+from app.db.session import SILENCE_MS
+from tests.chaos.apart import Apart
 from tests.chaos.system import LEASE_S, System, worker_name
 
 Details = dict[str, Any]
@@ -69,7 +71,7 @@ def kill_broker(system: System, rng: Random) -> Details | None:
 
 
 def flush_broker(system: System, rng: Random) -> Details | None:
-    with suppress(redis.RedisError), closing(redis.Redis(unix_socket_path=str(system.data / "broker.sock"))) as broker:
+    with suppress(redis.RedisError), closing(redis.Redis.from_url(system.broker_url)) as broker:
         broker.flushall()
         return {}
     return None
@@ -138,6 +140,25 @@ def jump_clock(system: System, rng: Random) -> Details | None:
     return {"jump_s": jump_s, "ahead_s": round(ahead_s, 3)}
 
 
+def cut_off_host(system: System, rng: Random) -> Details | None:
+    """Pull the plug of a worker's host for longer than a lease, sometimes for longer than PostgreSQL keeps silent
+    connections. What runs there runs on.
+    """
+    worker = _some_worker(system, rng)
+    if worker is None or not isinstance(system.service, Apart):
+        return None
+    cut_s = LEASE_S + rng.uniform(0.5, 2) if rng.random() < 0.7 else SILENCE_MS / 1000 + rng.uniform(2, 6)
+    try:
+        host = system.service.host_of(worker)
+    except psutil.NoSuchProcess:
+        return None
+    host.cut_off()
+    details = _silenced(system, worker.pid)
+    time.sleep(cut_s)
+    host.reconnect()
+    return details | {"cut_s": round(cut_s, 3)}
+
+
 # How often each comes up among the others.
 FAULTS: dict[Fault, int] = {
     kill_worker: 3,
@@ -155,7 +176,14 @@ FAULTS: dict[Fault, int] = {
     fill_disk: 1,
     slow_disk: 1,
     jump_clock: 2,
+    cut_off_host: 4,
 }
+
+
+def possible(system: System) -> list[Fault]:
+    """Which of them can come about, each as often as it weighs."""
+    there = {jump_clock: bool(system.library), cut_off_host: bool(system.hosts)}
+    return [fault for fault, weight in FAULTS.items() for _ in range(weight) if there.get(fault, True)]
 
 
 def _some_worker(system: System, rng: Random) -> psutil.Process | None:

@@ -9,8 +9,7 @@ from tests.chaos.checker import RULES, Facts, check, computations, recoveries
 from tests.chaos.record import Line, read
 
 Run = tuple[Facts, dict[str, list[str]]]
-DATABASES = ("sqlite", "postgresql")
-TITLES = {"sqlite": "SQLite", "postgresql": "PostgreSQL"}
+TITLES = {"sqlite": "SQLite", "postgresql": "PostgreSQL", "hosts": "five hosts"}
 
 
 def write(records: Sequence[Path], out: Path | None) -> int:
@@ -41,7 +40,7 @@ def _violations(run: Run) -> int:
 def _page(runs: Sequence[Run], controls: Sequence[Run]) -> Iterator[str]:
     yield (Path(__file__).parent / "report.md").read_text().rstrip()
     yield "\n## What was broken\n"
-    databases = {name: [run for run in runs if run[0].settings["database"] == name] for name in DATABASES}
+    databases = {name: [run for run in runs if run[0].settings["database"] == name] for name in TITLES}
     columns = [name for name, of in databases.items() if of]
     facts = [[run[0] for run in databases[name]] for name in columns]
     seeds = [", ".join(str(each.settings["seed"]) for each in of) for of in facts]

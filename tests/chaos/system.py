@@ -3,18 +3,21 @@
 import os
 import subprocess
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 import psutil
+from sqlalchemy import make_url
 
 import migrations
 from tests.chaos import changes
+from tests.chaos.apart import Apart, apart
 from tests.chaos.changes import Follower
 from tests.chaos.record import Record
 from tests.conftest import Postgres
 from tests.e2e.conftest import Served, gone, served, until
+from tests.hosts import Host, network
 
 INSIDE = Path(__file__).parent / "inside"
 ROOT = Path(__file__).parents[2]
@@ -42,18 +45,27 @@ def faketime() -> Path | None:
 
 
 class System:
-    """A ``tracksweep serve`` on a folder of its own, on SQLite or on PostgreSQL.
+    """A ``tracksweep serve`` on a folder of its own, on SQLite or on PostgreSQL, or a service on several hosts.
 
     Attributes
     ----------
+    hosts : sequence of Host
+        If there are several.
     control : Path
         The folder through which the processes are told what to do, see ``inside/sitecustomize.py``.
     disk : Path or None
         Where the data lie, if that is a disk of their own, which can be filled.
     """
 
-    def __init__(self, folder: Path, postgres: Postgres | None, record: Record, environment: dict[str, str]) -> None:
-        self.folder, self.postgres, self.record = folder, postgres, record
+    def __init__(
+        self,
+        folder: Path,
+        postgres: Postgres | None,
+        record: Record,
+        environment: dict[str, str],
+        hosts: Sequence[Host] = (),
+    ) -> None:
+        self.folder, self.postgres, self.record, self.hosts = folder, postgres, record, hosts
         self.data, self.control = folder / "data", folder / "control"
         self.data.mkdir()
         self.control.mkdir()
@@ -74,12 +86,27 @@ class System:
             **({"CHAOS_FAKETIME": str(self.library)} if self.library else {}),
             **environment,
         }
+        self.broker_url = f"unix://{self.data}/broker.sock"
+        if hosts:
+            address = hosts[0].address
+            self.broker_url = f"redis://{address}/0"
+            self.environment |= {
+                "TRACKSWEEP_DATA_DIR": str(self.data),
+                "TRACKSWEEP_DATABASE_URL": f"postgresql+psycopg://tracksweep@{address}/{make_url(self.url).database}",
+                "TRACKSWEEP_BROKER_URL": self.broker_url,
+                "TRACKSWEEP_REQUIRE_KEYS": "never",
+                "TRACKSWEEP_WORKER_NICE": "0",
+            }
         self.follower = Follower(self.url, record)
-        self.service: Served
+        self.service: Served | Apart
 
     @contextmanager
     def running(self, workers: int) -> Iterator[None]:
-        with served(self.data, "--workers", str(workers), **self.environment) as self.service:
+        with (
+            apart(self.folder, self.hosts, self.environment)
+            if self.hosts
+            else served(self.data, "--workers", str(workers), **self.environment)
+        ) as self.service:
             until(lambda: len(self.workers()) == workers, 180)
             yield
 
@@ -110,17 +137,19 @@ def _mounted(folder: Path) -> bool:
 
 
 @contextmanager
-def system(database: str, record: Record, **environment: str) -> Iterator[System]:
-    """A system, and the folder and the server it needs."""
-    with tempfile.TemporaryDirectory(prefix="ch", ignore_cleanup_errors=True) as folder:  # short, for sockets
-        postgres = Postgres(Path(folder) / "pg") if database == "postgresql" else None
-        made = System(Path(folder), postgres, record, environment)
-        try:
-            yield made
-        finally:
-            made.close()
-            if postgres:
-                postgres.stop()
+def system(kind: str, record: Record, hosts: int, **environment: str) -> Iterator[System]:
+    """A system on ``sqlite``, ``postgresql`` or ``hosts``, with the folder, the network and the server it needs."""
+    with ExitStack() as stack:
+        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="ch", ignore_cleanup_errors=True))
+        found = stack.enter_context(network(hosts)) if kind == "hosts" else []
+        path = Path(folder)  # short, for sockets
+        postgres = None
+        if kind != "sqlite":
+            postgres = Postgres(path / "pg", "", found[0]) if found else Postgres(path / "pg")
+            stack.callback(postgres.stop)
+        made = System(path, postgres, record, environment, found)
+        stack.callback(made.close)
+        yield made
 
 
 __all__ = ["System", "gone", "system", "until"]

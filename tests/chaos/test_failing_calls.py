@@ -113,7 +113,7 @@ class Life:
         for late in (False, True):
             for n in range(1, 1000):
                 self.trap.set(n, late=late)
-                with_failures(self.worker.drain)
+                with_failures(self.worker.work)
                 sprung = self.trap.sprung
                 self.trap.set(0)
                 self._recover()
@@ -130,7 +130,7 @@ class Life:
             self._execute("UPDATE \"case\" SET lease_expires = 0 WHERE state = 'running'")
             with self.context.database.write() as session:
                 assert sweeper.sweep(session, MAX_ATTEMPTS)
-            self.worker.drain()
+            self.worker.work()
 
     def _rewind(self, change: int, event: int) -> None:
         """As if nothing had been computed yet."""
@@ -156,8 +156,7 @@ class Life:
         return b"".join(self.context.histories.read(stored.history.key))
 
     def _collect(self) -> None:
-        with self.context.database.read() as session:
-            sweeper.collect_orphans(session, self.context.histories)
+        sweeper.collect_orphans(self.context.database, self.context.histories)
 
     def _state(self) -> list[Any]:
         tables = ("study", '"case"', "event", "peak", "history", "idempotency_key")

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, TypeVar
@@ -75,12 +75,7 @@ class Served:
 
     def parts(self, word: str) -> list[psutil.Process]:
         """The parts whose command has a word, such as ``worker`` or ``api``."""
-        found = []
-        for part in self.supervisor.children():
-            with suppress(psutil.NoSuchProcess):  # it ended just now
-                if not gone(part) and (word in part.cmdline()[1:] or word in part.name()):
-                    found.append(part)
-        return found
+        return named(self.supervisor.children(), word)
 
     def get(self, path: str, **query: Any) -> Any:
         return self.http.get(path, params=query).raise_for_status().json()
@@ -101,6 +96,16 @@ class Served:
         self.process.send_signal(signal.SIGINT)
         self.process.communicate(timeout=30)
         return self.process.returncode
+
+
+def named(parts: Iterable[psutil.Process], word: str) -> list[psutil.Process]:
+    """Those whose command has a word, and that have not ended."""
+    found = []
+    for part in parts:
+        with suppress(psutil.NoSuchProcess):  # it ended just now
+            if not gone(part) and (word in part.cmdline()[1:] or word in part.name()):
+                found.append(part)
+    return found
 
 
 def clean_environment() -> dict[str, str]:

