@@ -11,10 +11,10 @@ HISTORY_MB = 2.0  # of 50 000 samples of ten channels
 DAY_S = 86400.0
 
 HOW = """Computed, not measured. Cores that need *t* s of processor time for a case finish cores/*t* cases per second,
-until that is what the database sustains on a machine of its own: {server_cores} cores of PostgreSQL, {server_ms:.1f} ms
-for each case, as `python -m benchmarks.scale` found. Beyond, PostgreSQL is the first bottleneck: most of its time keeps
-the indexes of the table `peak`. A case takes {kb:.0f} kB of the database; a history of {history:g} MB, if kept,
-goes to the store."""
+until that is what the database sustains on a machine of its own: {server_cores} cores of PostgreSQL, which takes
+{server_ms:.1f} ms for each case, as `python -m benchmarks.scale` found. Beyond, PostgreSQL is the first bottleneck:
+give it more cores, or the table `peak` fewer indexes. A case takes {kb:.0f} kB of the database; a history of
+{history:g} MB, if kept, goes to the store."""
 SERVER_CORES = 8
 
 

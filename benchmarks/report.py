@@ -13,14 +13,16 @@ from solver.verification.report import write_picture
 
 ORDER = (
     *("contenders", "growth", "floor", "choices", "memory", "service"),
-    *("load", "page", "large", "programme", "rolland_peer", "peaks"),
+    *("load", "page", "large", "programme", "rolland_peer", "peaks", "scale", "capacity"),
 )
 
 HEADER = """# Benchmarks
 
-    make bench              # all but the two below
+    make bench              # all but those below
     make bench-programme    # the article's whole programme, through the service
     make bench-rolland      # beside a public peer, which is installed for it
+    .venv/bin/python -m benchmarks.scale     # on hosts of a network of their own, as root
+    .venv/bin/python -m benchmarks.capacity  # what follows from that
 
 Each part can be run alone, by the command under its title, on a machine that does nothing else. It prints its figures
 as lines `name = value` and keeps them in `results/`; `python -m benchmarks.report` writes this page from there. Other
