@@ -7,6 +7,7 @@ from importlib.metadata import version
 
 import structlog
 from fastapi import Depends, FastAPI
+from fastapi.routing import iter_route_contexts
 from sqlalchemy.exc import SQLAlchemyError
 
 from app import log, openapi, problems
@@ -107,5 +108,6 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         workload,
     ):
         app.include_router(router, dependencies=[Depends(identify)])
+    list(iter_route_contexts(app.routes))  # FastAPI prepares routes when first asked for: by now, not by a request
     app.openapi = lambda: openapi.document(app)  # type: ignore[method-assign]  # FastAPI's documented way
     return app
