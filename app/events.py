@@ -8,7 +8,7 @@ before it is known who commits first, and a follower who asks for all after the 
 from collections.abc import Sequence
 from typing import Any
 
-from sqlalchemy import exists, insert, select, update
+from sqlalchemy import insert, select, update
 from sqlalchemy.orm import Session
 
 from app.db import tally
@@ -58,8 +58,10 @@ def cases_ended(session: Session, case_ids: Sequence[int], state: CaseState) -> 
 
 def finish_if_done(session: Session, study_id: str) -> None:
     """Write down the end of a study if none of its cases is still to come."""
-    cases = select(StudyCase).join(Case, Case.id == StudyCase.case_id).where(StudyCase.study_id == study_id)
-    if session.scalar(select(exists(cases.where(Case.state.in_(["queued", "running"]))))):
+    cases = select(Case.id).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
+    to_come = cases.where(Case.state.in_(["queued", "running"]))
+    # The last first: a study's cases are computed from its first on, and thousands may have been.
+    if session.scalar(to_come.order_by(StudyCase.case_id.desc()).limit(1)) is not None:
         return
     session.execute(update(Study).where(Study.id == study_id).values(finished_at=Clock()))
     state = state_now(session, study_id)
