@@ -83,7 +83,7 @@ class Order:
         return first_fits and all(map(_fits, self.columns[1:], values[1:]))
 
 
-Tell = Callable[[Select[Any], Order], Select[Any]]
+Tell = Callable[[Select[Any], Order, int], Select[Any]]
 
 
 def _fits(column: InstrumentedAttribute[Any], value: object) -> bool:
@@ -123,7 +123,7 @@ def fetch_page(
     query: PageQuery,
     order: Order,
     max_page_size: int,
-    told: Tell = lambda part, _: part,
+    told: Tell = lambda part, *_: part,
 ) -> tuple[Sequence[Row[Any]], str | None]:
     """The rows of a filtered statement that fall on one page, and the cursor of the next page if there are more.
 
@@ -166,11 +166,11 @@ def fetch(
         The place.
     told : callable
         Makes of a statement for some rows, which end in their places, the one for what is wanted of them, in the same
-        order and with the same end.
+        order and with the same end. It is given the order, and how many rows there are at most, too.
     """
     places = [column.label(f"place_{n}") for n, column in enumerate(order.columns)]
     rows: list[Row[Any]] = []
     for part in order.parts(statement.add_columns(*places), after):
-        if len(rows) <= count:
-            rows += session.execute(told(part.limit(count + 1 - len(rows)), order)).all()
+        if missing := count + 1 - len(rows):
+            rows += session.execute(told(part.limit(missing), order, missing)).all()
     return rows[:count], rows[count - 1][-len(places) :] if len(rows) > count else None

@@ -16,7 +16,7 @@ from sqlalchemy import (
 )
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
-from app.db.types import BigKey, Clock
+from app.db.types import BigKey, Clock, Word
 
 CaseState = Literal["queued", "running", "succeeded", "failed", "cancelled"]
 StudyState = Literal["queued", "running", "cancelling", "succeeded", "partially_failed", "failed", "cancelled"]
@@ -25,7 +25,7 @@ EventKind = Literal["state", "case", "done"]
 VerificationState = Literal["queued", "running", "succeeded", "failed"]
 VerificationOutcome = Literal["same", "differs"]
 Scope = Literal["read", "write", "admin"]
-SCHEMA = "0011"  # the revision of the migrations that makes these tables
+SCHEMA = "0012"  # the revision of the migrations that makes these tables
 
 
 class Base(DeclarativeBase):
@@ -218,15 +218,15 @@ class Peak(Base):
         Index("ix_peak_quantity", "quantity", "position", "id", "peak"),
         Index("ix_peak_position", "position", "id", "peak"),
         Index("ix_peak_unit", "unit", "id", "position", "peak"),
-        *(Index(f"ix_peak_{name}", *_in_order_of(name)) for name in STATISTICS),
+        Index("ix_peak_peak", *_in_order_of("peak")),
         *(Index(f"ix_peak_by_{name}", "quantity", *_in_order_of(name)) for name in STATISTICS),
     )
 
     id: Mapped[int] = mapped_column(BigKey, primary_key=True)
     case_id: Mapped[int] = mapped_column(ForeignKey("case.id", ondelete="CASCADE"))
-    quantity: Mapped[str]
-    position: Mapped[str]
-    unit: Mapped[str]
+    quantity: Mapped[str] = mapped_column(Word)
+    position: Mapped[str] = mapped_column(Word)
+    unit: Mapped[str] = mapped_column(Word)
     peak: Mapped[float]
     maximum: Mapped[float]
     minimum: Mapped[float]

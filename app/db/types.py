@@ -2,13 +2,16 @@
 
 from typing import Any
 
-from sqlalchemy import BigInteger, Double, Integer
+from sqlalchemy import BigInteger, Double, Integer, String
 from sqlalchemy.ext.compiler import compiles
 from sqlalchemy.sql.compiler import SQLCompiler
 from sqlalchemy.sql.functions import FunctionElement
 
 # SQLite numbers its rows by itself only in a column of exactly INTEGER.
 BigKey = BigInteger().with_variant(Integer, "sqlite")
+
+# A name out of a list of ours, ordered by its bytes: PostgreSQL would ask the rules of a language, at every comparison.
+Word = String().with_variant(String(collation="C"), "postgresql")
 
 
 class Clock(FunctionElement[float]):

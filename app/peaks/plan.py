@@ -4,11 +4,12 @@ Filters that must not choose the index are put on a cast, and sets are asked whe
 SQLite has no index for either, and PostgreSQL looks into such a set instead of joining it.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from operator import eq, ge, le
 from typing import Any
 
-from sqlalchemy import CTE, ColumnElement, Select, cast, exists, func, literal, select
+from sqlalchemy import CTE, ColumnElement, Row, Select, cast, exists, func, literal, select
 from sqlalchemy.orm import InstrumentedAttribute, Session, aliased
 
 from app.access import visibility
@@ -30,11 +31,30 @@ COLUMNS: dict[str, Column] = {name: getattr(Case if name in CONDITIONS else Peak
     "case_id": Case.id
 }
 OF_CASES = ("slab", "irregularity", "spectrum", "wavelength_min_m", "wavelength_max_m", "wavelength_m")
+WITHIN_QUANTITIES = set(STATISTICS) - {Peak.peak.key}  # that have no index across quantities
 BESIDE = {Case.speed_kmh: Peak.speed_kmh, Case.percentile: Peak.percentile}  # what peaks hold of their cases, too
 
 
-def plan(session: Session, filters: PeakFilters, caller: Caller) -> tuple[Select[Any], Order]:
-    """Identifiers of the peaks that pass, of cases that the caller sees, and the order they are wanted in."""
+@dataclass(frozen=True)
+class Plan:
+    """Identifiers of the peaks that pass, of cases that the caller sees, and the order they are wanted in.
+
+    Attributes
+    ----------
+    statement : Select
+    order : Order
+    quantities : sequence of Row, optional
+        Quantities that come into question, with the value that each begins with, if their peaks are in that order one
+        quantity at a time only.
+    """
+
+    statement: Select[Any]
+    order: Order
+    quantities: Sequence[Row[Any]] | None = None
+
+
+def plan(session: Session, filters: PeakFilters, caller: Caller) -> Plan:
+    """How peaks are found."""
     column, descending = COLUMNS[filters.sort.removeprefix("-")], filters.sort.startswith("-")
     if column is Peak.unit and filters.quantity is not None:
         column = Peak.quantity  # all of which have one unit
@@ -44,20 +64,23 @@ def plan(session: Session, filters: PeakFilters, caller: Caller) -> tuple[Select
     if of_cases or beside:
         few = session.scalars(passing.limit(FEW_CASES + 1)).all()
         if len(few) <= FEW_CASES:
-            return _case_by_case(filters).where(Case.id.in_(few)), order
+            return Plan(_case_by_case(filters).where(Case.id.in_(few)), order)
     within = _within(Case.id, passing) if of_cases or beside else []
     if column.key not in STATISTICS and (filters.value_min is not None or filters.value_max is not None):
         valued = select(Peak.id).where(*_of_peaks(filters, Peak.quantity, Peak.peak))
         size = session.scalar(select(func.count()).select_from(valued.limit(FEW_ENTRIES + 1).subquery())) or 0
         if column in BESIDE and size <= FEW_ENTRIES:
             places = BESIDE[column], Peak.case_id, Peak.id
-            return _in_order(Peak.peak, filters, of_cases), Order(places, descending)
+            return Plan(_in_order(Peak.peak, filters, of_cases), Order(places, descending))
         if size <= FEW_PEAKS:
             found = select(Peak.id).join(Case, Case.id == _unindexed(Peak.case_id))
-            return found.where(Peak.id.in_(valued), *_of_peaks(filters), *within), order
-    if column.class_ is Peak:
-        return _in_order(column, filters, of_cases).where(*_begin(column, filters, descending)), order
-    return _case_by_case(filters).where(*within), order
+            return Plan(found.where(Peak.id.in_(valued), *_of_peaks(filters), *within), order)
+    if column.class_ is Case:
+        return Plan(_case_by_case(filters).where(*within), order)
+    found = _in_order(column, filters, of_cases)
+    if column.key in WITHIN_QUANTITIES and filters.quantity is None:
+        return Plan(found, order, session.execute(_begins(column, filters, descending)).all())
+    return Plan(found.where(*_begin(column, filters, descending)), order)
 
 
 def _places(column: Column) -> tuple[Column, ...]:
@@ -86,15 +109,25 @@ def _begin(column: Column, filters: PeakFilters, descending: bool) -> Conditions
     Quantities have values of very different size. Those of the only ones that occur at a position, or reach a value,
     may lie behind those of all others.
     """
-    asked = _of_peaks(filters, Peak.position, Peak.peak, but=Peak.quantity)
-    if not asked or column is Peak.unit:
+    if column is Peak.unit or not _asked(filters):
         return []
+    begins = _begins(column, filters, descending).subquery()
+    begin = select((func.max if descending else func.min)(begins.c.begin)).scalar_subquery()
+    return [(le if descending else ge)(column, begin)]
+
+
+def _begins(column: Column, filters: PeakFilters, descending: bool) -> Select[Any]:
+    """Quantities that come into question, each with the value that it begins with in the order of a column."""
     quantities, extreme = _quantities(filters), func.max if descending else func.min
     of_quantity = Peak.quantity == quantities.c.name
     first = select(extreme(column)).where(of_quantity).correlate(quantities).scalar_subquery()
-    some = exists().where(of_quantity, *asked).correlate(quantities)
-    begin = select(extreme(first)).select_from(quantities).where(some).scalar_subquery()
-    return [(le if descending else ge)(column, begin)]
+    some = exists().where(of_quantity, *_asked(filters)).correlate(quantities)
+    return select(quantities.c.name, first.label("begin")).where(some)
+
+
+def _asked(filters: PeakFilters) -> Conditions:
+    """What is asked of peaks, but for the quantity."""
+    return _of_peaks(filters, Peak.position, Peak.peak, but=Peak.quantity)
 
 
 def _quantities(filters: PeakFilters) -> CTE:

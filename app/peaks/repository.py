@@ -10,7 +10,8 @@ from app.access import visibility
 from app.access.caller import Caller
 from app.db.models import Case, Peak, Study
 from app.pagination import Order, Tell, fetch, fetch_page
-from app.peaks.plan import COLUMNS, plan
+from app.peaks.across import first_of_all
+from app.peaks.plan import COLUMNS, Plan, plan
 from app.peaks.schemas import PeakFilters, PeakQuery
 from app.problems import not_found
 from app.studies.sweep.vary import PARAMETERS
@@ -24,8 +25,9 @@ def find_page(
 ) -> tuple[list[dict[str, Any]], str | None]:
     """A page of peaks with the conditions and parameters of their cases, and the next page's cursor."""
     paths = parameters(session, query, caller)
-    statement, order = plan(session, query, caller)
-    rows, cursor = fetch_page(session, statement, query, order, max_page_size, _telling(values(paths)))
+    found = plan(session, query, caller)
+    told = _telling(session, found, values(paths))
+    rows, cursor = fetch_page(session, found.statement, query, found.order, max_page_size, told)
     begin, end = len(COLUMNS), len(COLUMNS) + len(paths)
     return [
         dict(zip(COLUMNS, row[:begin], strict=True)) | {"parameters": dict(zip(paths, row[begin:end], strict=True))}
@@ -58,12 +60,15 @@ def find_some(
 
     The columns of the rows are followed by their places.
     """
-    statement, order = plan(session, filters, caller)
-    return fetch(session, statement, order, count, after, _telling(more))
+    found = plan(session, filters, caller)
+    return fetch(session, found.statement, found.order, count, after, _telling(session, found, more))
 
 
-def _telling(more: Sequence[ColumnElement[Any]]) -> Tell:
-    def told(part: Select[Any], order: Order) -> Select[Any]:
+def _telling(session: Session, found: Plan, more: Sequence[ColumnElement[Any]]) -> Tell:
+    def told(part: Select[Any], order: Order, count: int) -> Select[Any]:
+        if found.quantities is not None:
+            ids = first_of_all(session, part, order, count, found.quantities)
+            part = select(*part.selected_columns).where(Peak.id.in_(ids))
         keys = part.subquery()
         places = [column for column in keys.c if column.name != Peak.id.name]
         wanted = select(*COLUMNS.values(), *more, *places).join(keys, keys.c.id == Peak.id)

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import random
 from collections.abc import Callable
 from typing import Any
 
@@ -76,6 +77,30 @@ def test_any_column_sorts_in_both_directions(client: httpx.Client, peaks: list[d
         present = [value for value in values if value is not None]
         assert values == [*present, *[None] * (len(values) - len(present))], order
         assert present == sorted(present, reverse=order.startswith("-")), order
+
+
+def test_values_of_all_quantities_are_in_one_order(
+    client: httpx.Client, database: Database, study: dict[str, Any]
+) -> None:
+    """They overlap in part, and some are equal."""
+    client.post("/v1/studies", json=study)
+    chance = random.Random(1)
+    with database.write() as session:
+        while batch := claim(session, "test", 15.0, lanes=1):
+            found = [
+                peak(f"quantity_{n}", float(n + chance.randrange(4)), position)
+                for n in range(6)
+                for position in ("first", "second")
+                if n != 5 or position == "first"
+            ]
+            assert succeed(session, batch[0], peaks=found, processing={}, history=None, cpu_s=1.0)
+    for query in ({}, {"position": "second"}, {"value_min": "4"}, {"speed_kmh_max": "250"}):
+        peaks = walk(client, **query)
+        for sort in ("rms", "-rms", "mean", "-time_s"):
+            ordered = walk(client, **query, sort=sort, page_size="7")
+            assert sorted(map(repr, ordered)) == sorted(map(repr, peaks))
+            values = [each[sort.removeprefix("-")] for each in ordered]
+            assert values == sorted(values, reverse=sort.startswith("-")), (query, sort)
 
 
 FILTERS: list[tuple[dict[str, str], Callable[[dict[str, Any]], bool]]] = [
