@@ -18,6 +18,7 @@ from app.settings import Settings
 from worker import lease
 
 LONGEST_SILENCE_S = 1.0  # a client sees progress at least this often
+SPARINGLY = 10  # times as long as a beat takes, a worker waits: many can keep a database busy with nothing else
 HANGS_AFTER_S = 300.0  # without a report of progress, which takes seconds on the largest mesh
 STANDARD_ERROR = 2  # the file descriptor, whatever stands in for it in Python
 TOGETHER = 3  # times as long as one case take those side by side, however many
@@ -113,23 +114,25 @@ class Heartbeat:
             faulthandler.dump_traceback_later(self._leash_s, exit=True, file=STANDARD_ERROR)
 
     def _run(self) -> None:
-        while self._held and not self._over.wait(self._pause_s):
+        pause_s = self._pause_s
+        while self._held and not self._over.wait(pause_s):
+            began = time.monotonic()
             try:
-                lost = self._beat() if time.monotonic() < self._deadline else self._give_up()
+                lost = self._beat() if began < self._deadline else self._give_up()
             except (SQLAlchemyError, MemoryError) as error:  # the database will say, once it is back, which leases held
                 log.unavailable("database", error)
                 continue
             for case_id in lost:
                 del self._held[case_id]
+            took_s = time.monotonic() - began
+            pause_s = min(max(self._pause_s, SPARINGLY * took_s), self._settings.lease_s / 3)
 
     def _beat(self) -> list[int]:
         """Extend what is held; the cases whose leases are lost, among them those whose outcome is written down."""
         with self._database.write() as session:
-            return [
-                case_id
-                for case_id, held in self._held.items()
-                if not self._ledger.extend(session, held, self._settings.lease_s, self._fractions[case_id])
-            ]
+            leases, lease_s = list(self._held.values()), self._settings.lease_s
+            holding = self._ledger.extend(session, leases, lease_s, dict(self._fractions))
+        return [case_id for case_id in self._held if case_id not in holding]
 
     def _give_up(self) -> list[int]:
         """End the attempts at what is held."""

@@ -16,12 +16,22 @@ def own_name() -> str:
 
 
 def announce(session: Session, name: str, lasting_s: float, draining: bool = False) -> None:
-    """Say that a worker is there for some time, and forget those that have not said so again in theirs."""
+    """Say that a worker is there for some time."""
     values = {"expires": Clock() + lasting_s, "draining": draining}
     known = update(Worker).where(Worker.name == name).values(values).returning(Worker.name)
     if session.scalar(known) is None:
         session.add(Worker(name=name, **values))
-    session.execute(delete(Worker).where(Worker.expires < Clock(), Worker.name != name))
+
+
+def forget(session: Session) -> None:
+    """Forget those that have not said in their time that they are there."""
+    session.execute(delete(Worker).where(Worker.expires < Clock()))
+
+
+def is_among_the_first(session: Session, name: str, number: int) -> bool:
+    """Whether a worker, there or not, is one of so many whose names come first: for what not all need to do."""
+    before = select(Worker.name).where(Worker.name < name, Worker.expires > Clock()).limit(number)
+    return len(session.scalars(before).all()) < number
 
 
 def count_with(session: Session, name: str) -> int:

@@ -12,7 +12,7 @@ from app import events
 from app.db import tally
 from app.db.models import Case, History, Peak, Study, StudyCase
 from app.db.types import Clock
-from worker.lease import NO_LEASE, Lease, release
+from worker.lease import NO_LEASE, Lease, lock, release
 
 _PEAK_COLUMNS = {column.name: column.type for column in Peak.__table__.columns if column.name != "id"}
 _PEAKS_OF_COLUMNS = insert(Peak).from_select(
@@ -91,7 +91,7 @@ def write_down(session: Session, successes: Sequence[Success]) -> set[int]:
         The cases whose leases held. A case whose history was not kept, and is wanted since a moment ago, is queued
         once more.
     """
-    cases = _lock(session, [each.held for each in successes])
+    cases = lock(session, [each.held for each in successes])
     held = [each for each in successes if each.held.case_id in cases]
     wanting = wanting_history(session, cases)
     late = [each for each in held if each.history is None and each.held.case_id in wanting]
@@ -125,15 +125,3 @@ def _insert_peaks(connection: Connection, rows: Sequence[dict[str, Any]]) -> Non
         connection.execute(_PEAKS_OF_COLUMNS, {name: [row[name] for row in rows] for name in _PEAK_COLUMNS})
     else:
         connection.execute(insert(Peak), rows)
-
-
-def _lock(session: Session, leases: Sequence[Lease]) -> dict[int, Any]:
-    """Keep others from changing the cases whose tokens still hold. A study that comes to want one waits too."""
-    tokens = {held.case_id: held.token for held in leases}
-    rows = (
-        select(Case.id, Case.lease_token, Case.speed_kmh, Case.percentile)
-        .where(Case.id.in_(tokens), Case.state == "running")
-        .order_by(Case.digest)
-        .with_for_update(key_share=True)
-    )
-    return {row.id: row for row in session.execute(rows) if row.lease_token == tokens[row.id]}

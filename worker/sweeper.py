@@ -23,6 +23,7 @@ from worker.adopt import adopt
 from worker.retention import expire
 
 LONGEST_PAUSE_S = 5.0
+ON_DUTY = 3  # workers: where there are thousands, they would look for the same all the time
 ORPHANED_AFTER_S = 3600.0
 EXPIRE_EVERY_S = 3600.0
 SET_BACK_S = 1.0  # a clock that differs by less is merely being adjusted
@@ -47,6 +48,7 @@ def sweep(session: Session, max_attempts: int, *, forbearing: bool = False) -> b
     _shorten(session)
     if not forbearing:
         _take_back(session, max_attempts)
+    presence.forget(session)
     session.execute(delete(IdempotencyKey).where(IdempotencyKey.created_at < Clock() - KEPT_S))
     adopt(session)
     queued, due = select(Case.id).where(Case.state == "queued"), select(Verification.id).where(verification.due())
@@ -91,9 +93,9 @@ def collect_orphans(database: Database, histories: HistoryStore) -> int:
 
 
 class Sweeper:
-    """Sweeps every few seconds, and says that this worker is there, in a thread for as long as the process lives.
+    """Says every few seconds that this worker is there, and sweeps, in a thread for as long as the process lives.
 
-    Every worker has one, so that there is one wherever there is anybody to do the work.
+    Every worker has one, so that there is one wherever there is anybody to do the work; of many, a few sweep.
 
     Parameters
     ----------
@@ -109,6 +111,7 @@ class Sweeper:
         self._database = Database(settings.resolved_database_url, settings.lease_s)
         self._doorbell = Doorbell(settings)
         self._pause_s = min(settings.lease_s / 3, LONGEST_PAUSE_S)
+        self._collected_at = self._expired_at = -math.inf
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._run, name="sweeper", daemon=True)
 
@@ -123,24 +126,12 @@ class Sweeper:
         self._database.close()
 
     def _run(self) -> None:
-        collected_at = expired_at = -math.inf
         was_away = True  # the database, maybe: once it is back, workers first need the time to say that they live
         while True:
             try:
-                with self._database.write() as session:
-                    if self._able:
-                        presence.announce(session, presence.own_name(), 3 * self._pause_s, self._draining.is_set())
-                    queued = sweep(session, self._settings.max_attempts, forbearing=was_away)
+                if self._on_duty():
+                    self._sweep(forbearing=was_away)
                 was_away = False
-                if queued:
-                    self._doorbell.ring()
-                if self._settings.retention_days and time.monotonic() - expired_at > EXPIRE_EVERY_S:
-                    with self._database.write() as session:
-                        if not expire(session, self._settings.retention_days):  # or the next sweep goes on
-                            expired_at = time.monotonic()
-                if time.monotonic() - collected_at > ORPHANED_AFTER_S:
-                    collected_at = time.monotonic()
-                    self._collect()
             except SQLAlchemyError as error:
                 was_away = True
                 logs.unavailable("database", error)
@@ -150,6 +141,27 @@ class Sweeper:
                 log.exception("sweep failed")
             if self._over.wait(self._pause_s):
                 return
+
+    def _on_duty(self) -> bool:
+        """Say that this worker is there. Returns whether it is one of those that sweep."""
+        name = presence.own_name()
+        with self._database.write() as session:
+            if self._able:
+                presence.announce(session, name, 3 * self._pause_s, self._draining.is_set())
+            return presence.is_among_the_first(session, name, ON_DUTY)
+
+    def _sweep(self, *, forbearing: bool) -> None:
+        with self._database.write() as session:
+            queued = sweep(session, self._settings.max_attempts, forbearing=forbearing)
+        if queued:
+            self._doorbell.ring()
+        if self._settings.retention_days and time.monotonic() - self._expired_at > EXPIRE_EVERY_S:
+            with self._database.write() as session:
+                if not expire(session, self._settings.retention_days):  # or the next sweep goes on
+                    self._expired_at = time.monotonic()
+        if time.monotonic() - self._collected_at > ORPHANED_AFTER_S:
+            self._collected_at = time.monotonic()
+            self._collect()
 
     def _collect(self) -> None:
         histories = HistoryStore(self._settings.resolved_storage_url)

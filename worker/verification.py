@@ -3,7 +3,7 @@
 They are leased like cases, so that one is not lost with its worker; nothing stored of the case is written to.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 from uuid import uuid4
@@ -60,9 +60,10 @@ def claim(session: Session, lease_s: float, max_attempts: int) -> Claim | None:
     return held
 
 
-def extend(session: Session, held: Claim, lease_s: float, progress: float) -> bool:
-    """Say that the worker lives. False if the lease is lost."""
-    return _change(session, held, {"lease_expires": Clock() + lease_s})
+def extend(session: Session, claims: Sequence[Claim], lease_s: float, progress: Mapping[int, float]) -> set[int]:
+    """Say that the worker lives. Returns the cases of the verifications whose leases hold."""
+    alive = {"lease_expires": Clock() + lease_s}
+    return {held.case_id for held in claims if _change(session, held, alive)}
 
 
 def release(session: Session, held: Claim) -> bool:

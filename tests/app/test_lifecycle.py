@@ -85,7 +85,7 @@ def test_a_running_case_loses_its_lease_and_its_worker_writes_nothing(
     (held,) = take(database)
     assert client.post(f"{url}/cancel").json()["state"] == "cancelled"
     with database.write() as session:
-        assert not lease.extend(session, held, 15.0, 0.5)
+        assert not lease.extend(session, [held], 15.0, {held.case_id: 0.5})
         assert not lease.give_up(session, held, 3, "late")
         assert not lease.release(session, held)
     assert not succeed(database, held)

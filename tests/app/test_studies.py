@@ -57,7 +57,7 @@ def test_a_study_comes_to_its_end(client: httpx.Client, database: Database, stud
     with database.write() as session:
         (held,) = claim(session, "test", 15.0, lanes=1)
     with database.write() as session:
-        assert lease.extend(session, held, 15.0, 0.5)
+        assert lease.extend(session, [held], 15.0, {held.case_id: 0.5})
     running = client.get(url).json()
     assert (running["state"], running["progress"]) == ("running", 0.125)
     assert running["finish"] is None  # for there is no worker

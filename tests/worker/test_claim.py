@@ -107,8 +107,8 @@ def test_a_worker_that_is_gone_has_no_share(database: Database, submit: Submit) 
         session.execute(update(Worker).where(Worker.name == "two").values(expires=0.0))
     submit(300, amplitudes=TWELVE[:8])
     assert len(take(database, "one")) == 8
-    announce(database, "one")
-    with database.read() as session:
+    with database.write() as session:
+        sweep(session, max_attempts=3)
         assert session.scalars(select(Worker.name)).all() == ["one"]
 
 

@@ -1,10 +1,12 @@
 """Claiming, keeping and losing cases, on both databases."""
 
 import multiprocessing
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
 
 import pytest
 from sqlalchemy import func, select, update
@@ -15,12 +17,13 @@ from app.db.models import Case, Event, IdempotencyKey, Peak
 from app.db.session import Database
 from app.db.types import Clock
 from app.idempotency import KEPT_S
+from app.settings import Settings
 from app.studies import service
 from app.studies.schemas import StudyDetail
 from tests.e2e.conftest import until
 from tests.outcomes import succeed
 from worker import claim as claims
-from worker import lease
+from worker import heartbeat, lease
 from worker.claim import Claim
 from worker.success import Success, write_down
 from worker.sweeper import sweep
@@ -146,7 +149,7 @@ def test_an_expired_lease_is_given_to_another_and_the_late_one_is_fenced_out(
     assert (again.case_id, again.attempt) == (late.case_id, late.attempt + 1)
     found = [_peak()]
     with database.write() as session:
-        assert not lease.extend(session, late, 15.0, 0.9)
+        assert not lease.extend(session, [late], 15.0, {late.case_id: 0.9})
         assert not succeed(session, late, peaks=found, processing={}, history=None, cpu_s=1.0)
         assert not lease.fail(session, late, "diverged", "late")
         assert not lease.give_up(session, late, 3, "late")
@@ -205,10 +208,43 @@ def test_a_heartbeat_keeps_the_lease(database: Database, submit: Submit) -> None
     submit(300)
     held = claim(database, lease_s=0.0)
     with database.write() as session:
-        assert lease.extend(session, held, 15.0, 0.25)
+        assert lease.extend(session, [held], 15.0, {held.case_id: 0.25})
         sweep(session, max_attempts=3)
     case = get(database, held.case_id)
     assert (case.state, case.progress, case.attempt) == ("running", 0.25, 1)
+
+
+def test_a_heartbeat_tells_of_each_case(database: Database, submit: Submit) -> None:
+    submit(300, 310, 320)
+    held = [claim(database, lease_s=0.0) for _ in range(3)]
+    fractions = {each.case_id: fraction for each, fraction in zip(held, (0.25, 0.5, 0.25), strict=True)}
+    with database.write() as session:
+        assert lease.release(session, held[2])
+    with database.write() as session:
+        assert lease.extend(session, held, 15.0, fractions) == {held[0].case_id, held[1].case_id}
+    assert [get(database, each.case_id).progress for each in held] == [0.25, 0.5, 0.0]
+    with database.write() as session:
+        assert claims.claim(session, "other", 15.0, lanes=1)[0].case_id == held[2].case_id
+        assert not sweep(session, max_attempts=3)
+
+
+def test_a_busy_database_hears_fewer_heartbeats(
+    database: Database, submit: Submit, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    submit(300)
+    held, beats = claim(database), 0
+
+    def extend(*_: object) -> set[int]:
+        nonlocal beats
+        beats += 1
+        time.sleep(0.05)
+        return {held.case_id}
+
+    monkeypatch.setattr(heartbeat, "LONGEST_SILENCE_S", 0.01)
+    monkeypatch.setattr(lease, "extend", extend)
+    with heartbeat.Heartbeat(database, [held], Settings(data_dir=tmp_path), threading.Event()):
+        time.sleep(1.2)
+    assert 1 <= beats <= 3
 
 
 def test_a_lease_is_no_longer_because_the_clock_was_set_back(database: Database, submit: Submit) -> None:
@@ -218,7 +254,7 @@ def test_a_lease_is_no_longer_because_the_clock_was_set_back(database: Database,
         session.execute(update(Case).values(lease_expires=Case.lease_expires + 600, heartbeat_at=Clock() + 600))
     with database.write() as session:
         assert not sweep(session, max_attempts=3)
-        assert lease.extend(session, held, 15.0, 0.5)  # whoever lives keeps it
+        assert lease.extend(session, [held], 15.0, {held.case_id: 0.5})  # whoever lives keeps it
     with database.write() as session:
         session.execute(update(Case).values(lease_expires=Clock() + 600.05, heartbeat_at=Clock() + 600))
     while not swept(database):  # nobody does, and the lease is as long as it was given for
@@ -256,7 +292,7 @@ def test_a_cancelled_case_has_no_lease(database: Database, submit: Submit) -> No
     with database.write() as session:
         session.execute(update(Case).values(state="cancelled"))
     with database.write() as session:
-        assert not lease.extend(session, held, 15.0, 0.5)
+        assert not lease.extend(session, [held], 15.0, {held.case_id: 0.5})
     submit(300, 310)  # and is queued again when somebody wants it
     assert get(database, held.case_id).state == "queued"
 

@@ -94,7 +94,7 @@ def test_a_silent_worker_loses_it_and_poison_ends(context: Context, database: Da
             session.execute(update(Verification).values(lease_expires=0.0))
     with database.write() as session:
         assert verification.claim(session, 15.0, 2) is None
-        assert not verification.extend(session, held, 15.0, 0.5)
+        assert not verification.extend(session, [held], 15.0, {held.case_id: 0.5})
         assert not verification.compare(session, held, [])
     ended = latest(database, case_id)
     assert ended.state == "failed"

@@ -7,15 +7,17 @@ from pathlib import Path
 
 import pytest
 import redis
+from sqlalchemy import select
 
 from app.context import Context
+from app.db.models import Worker
 from app.db.session import Database
 from app.queue import QUEUE, Doorbell
 from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies.schemas import StudyDetail
 from tests.outcomes import succeed
-from worker import lease
+from worker import lease, presence
 from worker.claim import claim
 from worker.sweeper import ORPHANED_AFTER_S, Sweeper, collect_orphans
 
@@ -44,6 +46,32 @@ def test_a_bell_is_rung_once_the_broker_is_back(
     while bells(broker_url) == 0:
         time.sleep(0.05)
     sweeper.stop()
+
+
+def test_of_many_workers_three_sweep(context: Context, submit: Submit, tmp_path: Path, broker_url: str) -> None:
+    """Those whose names come first, so that others follow when they are gone."""
+    submit(300)
+    settings = context.settings.model_copy(update={"broker_url": broker_url, "lease_s": 0.9})
+    database = context.database
+    with database.write() as session:
+        for name in ("0000:1", "0000:2", "zzzz:1"):  # one of them behind every host's name
+            presence.announce(session, name, 600.0)
+        presence.announce(session, "0000:3", 1.5)
+        for name, first in (("0000:1", True), ("0000:2", True), ("0000:3", True), ("a host", False), ("zzzz:1", False)):
+            assert presence.is_among_the_first(session, name, 3) is first
+    sweeper = Sweeper(Settings(**settings.model_dump()))
+    sweeper.start()
+    while presence_of(database) != {"0000:1", "0000:2", "0000:3", "zzzz:1", presence.own_name()}:
+        time.sleep(0.05)
+    while bells(broker_url) == 0:  # until one of the first is gone
+        time.sleep(0.05)
+    sweeper.stop()
+    assert presence_of(database) == {"0000:1", "0000:2", "zzzz:1", presence.own_name()}
+
+
+def presence_of(database: Database) -> set[str]:
+    with database.read() as session:
+        return set(session.scalars(select(Worker.name)))
 
 
 def test_orphans_are_collected(context: Context, submit: Submit, tmp_path: Path) -> None:
