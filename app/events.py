@@ -40,15 +40,14 @@ def cases_ended(session: Session, case_ids: Sequence[int], state: CaseState) -> 
     last cases on PostgreSQL: without them each would see the other still running, and nobody would say `done`.
     """
     tally.count(session, "cases_ended", state, len(case_ids))
-    containing = select(StudyCase.study_id).where(StudyCase.case_id.in_(case_ids))
-    studies = select(Study.id).where(Study.id.in_(containing), LIVE).order_by(Study.id)
-    concerned = session.scalars(studies.with_for_update(key_share=True)).all()
-    pairs = select(StudyCase.study_id, StudyCase.case_id).where(
-        StudyCase.study_id.in_(concerned), StudyCase.case_id.in_(case_ids)
-    )
+    containing = select(StudyCase.study_id, StudyCase.case_id).where(StudyCase.case_id.in_(case_ids))
+    pairs = session.execute(containing.order_by(StudyCase.study_id, StudyCase.position)).all()
+    studies = select(Study.id).where(Study.id.in_({study_id for study_id, _ in pairs}), LIVE).order_by(Study.id)
+    concerned = session.scalars(studies.with_for_update(key_share=True)).all()  # from here on others wait
     told = [
         {"study_id": study_id, "kind": "case", "payload": {"case_id": case_id, "state": state}}
-        for study_id, case_id in session.execute(pairs.order_by(StudyCase.study_id, StudyCase.position))
+        for study_id, case_id in pairs
+        if study_id in concerned
     ]
     if told:
         session.execute(insert(Event), told)
@@ -58,10 +57,11 @@ def cases_ended(session: Session, case_ids: Sequence[int], state: CaseState) -> 
 
 def finish_if_done(session: Session, study_id: str) -> None:
     """Write down the end of a study if none of its cases is still to come."""
-    cases = select(Case.id).join(StudyCase, StudyCase.case_id == Case.id).where(StudyCase.study_id == study_id)
-    to_come = cases.where(Case.state.in_(["queued", "running"]))
-    # The last first: a study's cases are computed from its first on, and thousands may have been.
-    if session.scalar(to_come.order_by(StudyCase.case_id.desc()).limit(1)) is not None:
+    own = select(StudyCase.case_id).where(StudyCase.study_id == study_id)
+    to_come = select(Case.id).where(Case.state.in_(["queued", "running"])).limit(1)
+    # The last is looked at first: while it waits, as most of the time, nobody looks for others among thousands.
+    last = own.order_by(StudyCase.case_id.desc()).limit(1)
+    if any(session.scalar(to_come.where(Case.id.in_(of_study))) is not None for of_study in (last, own)):
         return
     session.execute(update(Study).where(Study.id == study_id).values(finished_at=Clock()))
     state = state_now(session, study_id)

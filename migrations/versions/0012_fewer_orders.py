@@ -1,4 +1,4 @@
-"""Peaks in order within a quantity only, but for the peak itself; and their names compared by their bytes."""
+"""Peaks in order within a quantity only, but for the peak itself, and their names compared by their bytes."""
 
 import sqlalchemy as sa
 from alembic import op
