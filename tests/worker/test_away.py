@@ -136,7 +136,7 @@ def test_the_database_is_away(
 
 
 def test_the_broker_is_away(context: Context, submit: Submit, worker: subprocess.Popen[bytes], broker: Broker) -> None:
-    running = submit(320, numerics=SECONDS_LONG)
+    running = submit(320, numerics=SECONDS_LONG | {"window_s": 12.0})
     until(lambda: look(context, running).progress > 0)
     context.doorbell.ring()
     until(lambda: look(context, running).progress > 0.5)
