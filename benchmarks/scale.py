@@ -10,8 +10,9 @@ from contextlib import suppress
 from typing import Any
 
 import psutil
-from sqlalchemy import text
+from sqlalchemy import func, select, text
 
+from app.db.models import Case
 from app.db.session import Database
 from benchmarks.results import Result, publish
 from tests.cluster import DURABLE, Cluster, cluster
@@ -19,6 +20,7 @@ from tests.cluster import DURABLE, Cluster, cluster
 HOSTS = 4
 WORKERS = (4, 8, 12, 16, 24)
 SLEEP_S = 0.5  # of a batch
+LONG_S = 60.0  # as above, so that workers do nothing but say that they are there
 LANES = 8
 SPEEDS, AMPLITUDES, WAVELENGTHS = 25, 80, 5  # 10 000 cases: as many as a study may have
 CALM_S = 5.0  # after a change of workers
@@ -27,7 +29,7 @@ HOW = """API, PostgreSQL (durable; {options}) and broker on one host, workers on
 others, each in a network namespace of one machine of {cores} cores, which they share. Workers claim, extend leases, and
 write what a case has, {peaks} peaks under all indexes; only the solver is replaced by a sleep of {sleep} s per batch of
 {lanes}. *Offered* is what the sleeps allow. Processor times per case are those of all of PostgreSQL and of all
-workers."""
+workers. `postgresql_ms_per_worker_and_s` is what PostgreSQL takes for a worker that computes {lanes} cases for long."""
 
 
 def study(number: int) -> dict[str, Any]:
@@ -41,10 +43,15 @@ def study(number: int) -> dict[str, Any]:
     return {"name": "many", "sweep": {"kind": "product", "speed_kmh": speeds, "irregularity": wave}}
 
 
+def counted(database: Database, state: str) -> int:
+    """Cases in a state."""
+    with database.read() as session:
+        return session.scalar(select(func.count()).where(Case.state == state)) or 0
+
+
 def finished(database: Database) -> int:
     """Cases that have ended."""
-    with database.read() as session:
-        return int(session.scalar(text("SELECT COUNT(*) FROM \"case\" WHERE state = 'succeeded'")) or 0)
+    return counted(database, "succeeded")
 
 
 def cpu_s(processes: Iterable[psutil.Process]) -> float:
@@ -80,10 +87,35 @@ def measure(made: Cluster, database: Database, seconds: float) -> tuple[float, f
     return cases / took_s, 1e3 * (after[0] - before[0]) / cases, 1e3 * (after[1] - before[1]) / cases
 
 
+def start_workers(made: Cluster, count: int, sleep_s: float) -> None:
+    """Workers until there are so many."""
+    while len(made.workers()) < count:
+        started = sum(each is not made.api for each in made.running[1:])
+        for n in range(started, count):
+            made.start_worker(made.others[n % HOSTS], ("-m", "benchmarks.sleeper", str(sleep_s)))
+        time.sleep(0.5)
+
+
+def alive_ms(seconds: float) -> float:
+    """Processor time that PostgreSQL takes each second for a worker that computes a batch for long, ms."""
+    count = WORKERS[-1]
+    with cluster(HOSTS) as made:
+        database = Database(made.local_url)
+        made.http.post("/v1/studies", json=study(0), timeout=300).raise_for_status()
+        start_workers(made, count, LONG_S)
+        while counted(database, "running") < count * LANES:
+            time.sleep(0.5)
+        before = cpu_s(of_postgres(made))
+        time.sleep(seconds)
+        taken_s = cpu_s(of_postgres(made)) - before
+        database.close()
+    return 1e3 * taken_s / seconds / count
+
+
 def run(seconds: float) -> Result:
     """Start more and more workers."""
     table = [["workers", "offered, cases/s", "cases/s", "PostgreSQL, ms/case", "workers, ms/case"]]
-    found = []
+    found, idle_ms = [], alive_ms(seconds)
     with cluster(HOSTS) as made:
         database = Database(made.local_url)
         studies = 0
@@ -92,11 +124,7 @@ def run(seconds: float) -> Result:
             while queued < 400 * (seconds + CALM_S):
                 made.http.post("/v1/studies", json=study(studies), timeout=300).raise_for_status()
                 studies, queued = studies + 1, queued + 10_000
-            while len(made.workers()) < count:
-                started = sum(each is not made.api for each in made.running[1:])
-                for n in range(started, count):
-                    made.start_worker(made.others[n % HOSTS], ("-m", "benchmarks.sleeper", str(SLEEP_S)))
-                time.sleep(0.5)
+            start_workers(made, count, SLEEP_S)
             time.sleep(CALM_S)
             rate, server_ms, worker_ms = measure(made, database, seconds)
             found.append((rate, server_ms))
@@ -118,6 +146,7 @@ def run(seconds: float) -> Result:
         values={
             "cases_per_s": saturated,
             "postgresql_ms_per_case": server_ms,
+            "postgresql_ms_per_worker_and_s": idle_ms,
             "database_kb_per_case": size / cases / 1e3,
         },
         table=table,
