@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import pytest
-from sqlalchemy import select, text, update
+from sqlalchemy import event, select, text, update
 
 from app.db.models import Case, Event, Worker
 from app.db.session import Database
@@ -110,6 +111,26 @@ def test_a_worker_that_is_gone_has_no_share(database: Database, submit: Submit) 
     with database.write() as session:
         sweep(session, max_attempts=3)
         assert session.scalars(select(Worker.name)).all() == ["one"]
+
+
+@pytest.mark.parametrize("database_url", ["postgresql"], indirect=True)
+def test_what_waits_is_read_in_its_order_and_never_sorted(database: Database, submit: Submit) -> None:
+    """By a PostgreSQL that knows nothing of the rows yet, nor of the versions and operators they have."""
+    submit(250, 300, amplitudes=[n / 1000 for n in range(1, 201)])
+    asked = []
+
+    @event.listens_for(database.engine, "before_cursor_execute")
+    def listen(_: Any, cursor: Any, statement: str, parameters: Any, *more: Any) -> None:
+        if "SKIP LOCKED" in statement:
+            asked.append((statement, parameters))
+
+    assert len(take(database)) == 8
+    first, riding = asked
+    with database.read() as session:
+        for statement, parameters in (first, riding):
+            plan = session.connection().exec_driver_sql(f"EXPLAIN {statement}", parameters).scalars().all()
+            assert any("Index Scan using ix_case" in line for line in plan)
+            assert not any("Sort" in line for line in plan), plan
 
 
 def test_two_who_claim_at_once_take_different_cases(database: Database, submit: Submit) -> None:
