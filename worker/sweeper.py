@@ -23,7 +23,7 @@ from worker.adopt import adopt
 from worker.retention import expire
 
 LONGEST_PAUSE_S = 5.0
-ON_DUTY = 3  # workers: where there are thousands, they would look for the same all the time
+ON_DUTY = 8  # workers: where there are thousands, they would look for the same all the time
 ORPHANED_AFTER_S = 3600.0
 EXPIRE_EVERY_S = 3600.0
 SET_BACK_S = 1.0  # a clock that differs by less is merely being adjusted
@@ -129,8 +129,7 @@ class Sweeper:
         was_away = True  # the database, maybe: once it is back, workers first need the time to say that they live
         while True:
             try:
-                if self._on_duty():
-                    self._sweep(forbearing=was_away)
+                self._sweep(forbearing=was_away)
                 was_away = False
             except SQLAlchemyError as error:
                 was_away = True
@@ -142,16 +141,13 @@ class Sweeper:
             if self._over.wait(self._pause_s):
                 return
 
-    def _on_duty(self) -> bool:
-        """Say that this worker is there. Returns whether it is one of those that sweep."""
+    def _sweep(self, *, forbearing: bool) -> None:
         name = presence.own_name()
         with self._database.write() as session:
             if self._able:
                 presence.announce(session, name, 3 * self._pause_s, self._draining.is_set())
-            return presence.is_among_the_first(session, name, ON_DUTY)
-
-    def _sweep(self, *, forbearing: bool) -> None:
-        with self._database.write() as session:
+            if not presence.is_among_the_first(session, name, ON_DUTY):
+                return
             queued = sweep(session, self._settings.max_attempts, forbearing=forbearing)
         if queued:
             self._doorbell.ring()
