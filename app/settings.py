@@ -33,6 +33,7 @@ class Settings(BaseSettings):
     api_processes: int = Field(default=1, ge=1, le=64, description="Processes that answer requests, behind one port.")
     workers: int = Field(default=2, ge=0, le=1024, description="Worker processes that `tracksweep serve` runs.")
     worker_nice: int = Field(default=10, ge=0, le=19, description="How far workers stand back for other processes.")
+    writers: int = Field(default=4, ge=1, le=1024, description="Workers that add peaks to PostgreSQL at once.")
     lease_s: float = Field(default=15.0, gt=0, le=3600, description="Time after which a silent worker loses its case.")
     max_attempts: int = Field(default=3, ge=1, le=100, description="Attempts after which a case counts as poison.")
     retention_days: int = Field(default=0, ge=0, le=36500, description="Days that ended studies are kept; 0: for ever.")

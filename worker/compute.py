@@ -115,7 +115,7 @@ class Worker:
 
         def write() -> set[int]:
             with self.database.write() as session:
-                return write_down(session, successes)
+                return write_down(session, successes, self.settings.writers)
 
         try:
             return self._patiently(write, [each.held for each in successes], heartbeat)

@@ -12,6 +12,7 @@ from app import events
 from app.db import tally
 from app.db.models import Case, History, Peak, Study, StudyCase
 from app.db.types import Clock
+from worker import place
 from worker.lease import NO_LEASE, Lease, lock, release
 
 _PEAK_COLUMNS = {column.name: column.type for column in Peak.__table__.columns if column.name != "id"}
@@ -75,7 +76,7 @@ class Success:
         return (of_case | peak for peak in self.peaks)
 
 
-def write_down(session: Session, successes: Sequence[Success]) -> set[int]:
+def write_down(session: Session, successes: Sequence[Success], places: int) -> set[int]:
     """Write down what came of cases.
 
     Parameters
@@ -84,6 +85,8 @@ def write_down(session: Session, successes: Sequence[Success]) -> set[int]:
         The transaction.
     successes : sequence of Success
         In the order in which to lock the cases, that of their digests.
+    places : int
+        How many transactions may add peaks at once, on PostgreSQL.
 
     Returns
     -------
@@ -98,15 +101,16 @@ def write_down(session: Session, successes: Sequence[Success]) -> set[int]:
     for each in late:
         release(session, each.held)
     if done := [each for each in held if each not in late]:
-        _end(session, done, cases)
+        _end(session, done, cases, places)
     return set(cases)
 
 
-def _end(session: Session, done: Sequence[Success], cases: Mapping[int, Any]) -> None:
+def _end(session: Session, done: Sequence[Success], cases: Mapping[int, Any], places: int) -> None:
     ids = [each.held.case_id for each in done]
     connection = session.connection()
     connection.execute(_SUCCEEDED, [each.end() for each in done])
     session.execute(delete(Peak).where(Peak.case_id.in_(ids)))
+    place.take(session, places)
     _insert_peaks(connection, [row for each in done for row in each.rows(cases[each.held.case_id])])
     if kept := [{"case_id": each.held.case_id, **each.history} for each in done if each.history is not None]:
         session.execute(delete(History).where(History.case_id.in_([row["case_id"] for row in kept])))
