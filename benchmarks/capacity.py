@@ -14,7 +14,8 @@ HOW = """Computed, not measured. Cores that need *t* s of processor time for a c
 until that is what the database sustains on a machine of its own: {server_cores} cores of PostgreSQL, which takes
 {server_ms:.1f} ms for each case and {alive_ms:.2f} ms a second for each worker, as `python -m benchmarks.scale` found.
 Workers, one per core, say that they live every second, but every {sparing:g} s to a database that is busy. Beyond,
-PostgreSQL is the first bottleneck: give it more cores, or the table `peak` fewer indexes. A case takes
+PostgreSQL is the first bottleneck: give it more cores, and `TRACKSWEEP_WRITERS` with them (two for each core were
+measured, on two cores), or the table `peak` fewer indexes. A case takes
 {kb:.0f} kB of the database; a history of {history:g} MB, if kept, goes to the store."""
 SERVER_CORES = 8
 SPARING_S = 5.0  # a third of a lease

@@ -1,12 +1,15 @@
 """How many cases per second database and broker sustain, from workers on four hosts whose solver sleeps.
 
-python -m benchmarks.scale [--seconds S]
+python -m benchmarks.scale [--seconds S] [--postgresql OPTIONS]
+
+With huge pages, if the machine has some to give: `sysctl -w vm.nr_hugepages=2400`.
 """
 
 import argparse
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 import psutil
@@ -14,21 +17,25 @@ from sqlalchemy import func, select, text
 
 from app.db.models import Case
 from app.db.session import Database
+from app.settings import Settings
 from benchmarks.results import Result, publish
-from tests.cluster import DURABLE, Cluster, cluster
+from tests.cluster import Cluster, cluster
 
+POSTGRESQL = "-c shared_buffers=4GB -c max_wal_size=8GB -c huge_pages=try"  # as docs/deploy.md advises
 HOSTS = 4
 WORKERS = (4, 8, 12, 16, 24)
+WRITERS = (1024, Settings().writers)  # that add peaks at once: all, and as many as they are by themselves
 SLEEP_S = 0.5  # of a batch
 LONG_S = 60.0  # as above, so that workers do nothing but say that they are there
 LANES = 8
 SPEEDS, AMPLITUDES, WAVELENGTHS = 25, 80, 5  # 10 000 cases: as many as a study may have
 CALM_S = 5.0  # after a change of workers
 
-HOW = """API, PostgreSQL (durable; {options}) and broker on one host, workers on {hosts}
+HOW = """API, PostgreSQL (durable; `{options}`, huge pages: {huge}) and broker on one host, workers on {hosts}
 others, each in a network namespace of one machine of {cores} cores, which they share. Workers claim, extend leases, and
 write what a case has, {peaks} peaks under all indexes; only the solver is replaced by a sleep of {sleep} s per batch of
-{lanes}. *Offered* is what the sleeps allow. Processor times per case are those of all of PostgreSQL and of all
+{lanes}. *Offered* is what the sleeps allow. *Writers* may add peaks at once (`TRACKSWEEP_WRITERS`; {all}: all), each
+number beginning with an empty database. Processor times per case are those of all of PostgreSQL and of all
 workers. `postgresql_ms_per_worker_and_s` is what PostgreSQL takes for a worker that computes {lanes} cases for long."""
 
 
@@ -96,10 +103,10 @@ def start_workers(made: Cluster, count: int, sleep_s: float) -> None:
         time.sleep(0.5)
 
 
-def alive_ms(seconds: float) -> float:
+def alive_ms(postgresql: str, seconds: float) -> float:
     """Processor time that PostgreSQL takes each second for a worker that computes a batch for long, ms."""
     count = WORKERS[-1]
-    with cluster(HOSTS) as made:
+    with cluster(HOSTS, postgresql) as made:
         database = Database(made.local_url)
         made.http.post("/v1/studies", json=study(0), timeout=300).raise_for_status()
         start_workers(made, count, LONG_S)
@@ -112,13 +119,22 @@ def alive_ms(seconds: float) -> float:
     return 1e3 * taken_s / seconds / count
 
 
-def run(seconds: float) -> Result:
+@dataclass(frozen=True, kw_only=True)
+class Growth:
+    """What more and more workers did, and what they left."""
+
+    rows: list[list[str]]
+    best: tuple[float, float]  # cases per second, and processor time of PostgreSQL per case, ms
+    peaks: float  # per case
+    size: float  # of the database per case, bytes
+    huge: str
+
+
+def grow(postgresql: str, writers: int, seconds: float) -> Growth:
     """Start more and more workers."""
-    table = [["workers", "offered, cases/s", "cases/s", "PostgreSQL, ms/case", "workers, ms/case"]]
-    found, idle_ms = [], alive_ms(seconds)
-    with cluster(HOSTS) as made:
+    rows, found, studies = [], [], 0
+    with cluster(HOSTS, postgresql, TRACKSWEEP_WRITERS=str(writers)) as made:
         database = Database(made.local_url)
-        studies = 0
         for count in WORKERS:
             queued = 10_000 * studies - finished(database)
             while queued < 400 * (seconds + CALM_S):
@@ -128,28 +144,48 @@ def run(seconds: float) -> Result:
             time.sleep(CALM_S)
             rate, server_ms, worker_ms = measure(made, database, seconds)
             found.append((rate, server_ms))
-            offered = count * LANES / SLEEP_S
-            table.append([str(count), *(f"{value:.1f}" for value in (offered, rate, server_ms, worker_ms))])
-            print(table[-1], flush=True)
+            measured = count * LANES / SLEEP_S, rate, server_ms, worker_ms
+            rows.append([str(writers), str(count), *(f"{value:.1f}" for value in measured)])
+            print(rows[-1], flush=True)
         with database.read() as session:
             size = int(session.scalar(text("SELECT pg_database_size(current_database())")) or 0)
-            cases = finished(database)
-            peaks = int(session.scalar(text("SELECT COUNT(*) FROM peak")) or 0) / cases
+            peaks = int(session.scalar(text("SELECT COUNT(*) FROM peak")) or 0)
+            huge = str(session.scalar(text("SHOW huge_pages_status")))
+        cases = finished(database)
         database.close()
-    saturated, server_ms = max(found)
+    return Growth(rows=rows, best=max(found), peaks=peaks / cases, size=size / cases, huge=huge)
+
+
+def run(postgresql: str, seconds: float) -> Result:
+    """Measure all."""
+    idle_ms = alive_ms(postgresql, seconds)
+    grown = [grow(postgresql, writers, seconds) for writers in WRITERS]
+    all_at_once, usual = grown
+    how = HOW.format(
+        options=postgresql,
+        huge=usual.huge,
+        hosts=HOSTS,
+        cores=psutil.cpu_count(),
+        peaks=round(usual.peaks),
+        sleep=SLEEP_S,
+        lanes=LANES,
+        all=WRITERS[0],
+    )
     return Result(
         title="Cases per second that the queue sustains",
-        how=HOW.format(
-            options=DURABLE, hosts=HOSTS, cores=psutil.cpu_count(), peaks=round(peaks), sleep=SLEEP_S, lanes=LANES
-        ),
+        how=how,
         command="python -m benchmarks.scale",
         values={
-            "cases_per_s": saturated,
-            "postgresql_ms_per_case": server_ms,
+            "cases_per_s": usual.best[0],
+            "cases_per_s_all_at_once": all_at_once.best[0],
+            "postgresql_ms_per_case": usual.best[1],
             "postgresql_ms_per_worker_and_s": idle_ms,
-            "database_kb_per_case": size / cases / 1e3,
+            "database_kb_per_case": usual.size / 1e3,
         },
-        table=table,
+        table=[
+            ["writers", "workers", "offered, cases/s", "cases/s", "PostgreSQL, ms/case", "workers, ms/case"],
+            *(row for each in grown for row in each.rows),
+        ],
     )
 
 
@@ -157,8 +193,9 @@ def main() -> None:
     """Run it from the command line."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--seconds", type=float, default=20.0, help="at every number of workers")
+    parser.add_argument("--postgresql", default=POSTGRESQL, help="its options")
     options = parser.parse_args()
-    publish("scale", run(options.seconds))
+    publish("scale", run(options.postgresql, options.seconds))
 
 
 if __name__ == "__main__":

@@ -50,13 +50,15 @@ class Cluster:
     folder : Path
         Of what is stored; all hosts see it.
     hosts : sequence of Host
+    postgresql : str
+        Its options.
     environment : dict of str
         Settings besides.
     """
 
-    def __init__(self, folder: Path, hosts: Sequence[Host], environment: dict[str, str]) -> None:
+    def __init__(self, folder: Path, hosts: Sequence[Host], postgresql: str, environment: dict[str, str]) -> None:
         self.folder, self.center, self.others = folder, hosts[0], list(hosts[1:])
-        self.postgres = Postgres(folder / "pg", DURABLE, self.center)
+        self.postgres = Postgres(folder / "pg", postgresql, self.center)
         self.local_url = self.postgres.create_database()  # by its socket
         migrations.upgrade(self.local_url)
         database = make_url(self.local_url).database
@@ -109,10 +111,10 @@ class Cluster:
 
 
 @contextmanager
-def cluster(others: int, **environment: str) -> Iterator[Cluster]:
+def cluster(others: int, postgresql: str = DURABLE, **environment: str) -> Iterator[Cluster]:
     """A cluster of one host that answers and some that compute."""
     with tempfile.TemporaryDirectory(prefix="ts", ignore_cleanup_errors=True) as folder, network(others + 1) as hosts:
-        made = Cluster(Path(folder), hosts, environment)
+        made = Cluster(Path(folder), hosts, postgresql, environment)
         try:
             made.start()
             yield made

@@ -5,6 +5,9 @@ import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
+
+import psutil
 
 NETWORK = "10.77.0"
 OURS = f"{NETWORK}.254"  # of whoever made the network
@@ -12,6 +15,12 @@ OURS = f"{NETWORK}.254"  # of whoever made the network
 
 def _ip(*words: str) -> None:
     subprocess.run(["ip", *words], check=True, capture_output=True, text=True)
+
+
+def _remove(owner: int) -> None:
+    for space in Path("/run/netns").glob(f"ts{owner}-*"):
+        subprocess.run(["ip", "netns", "del", space.name], check=False, capture_output=True)
+    subprocess.run(["ip", "link", "del", f"ts{owner}"], check=False, capture_output=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,6 +63,9 @@ def network(count: int) -> Iterator[list[Host]]:
     """
     if os.geteuid() != 0:
         raise PermissionError("network namespaces take root")
+    for space in Path("/run/netns").glob("ts*-1"):  # of those who were killed: they have the same addresses
+        if not psutil.pid_exists(owner := int(space.name.removeprefix("ts").removesuffix("-1"))):
+            _remove(owner)
     own = os.getpid()
     bridge = f"ts{own}"
     hosts = [Host(name=f"ts{own}-{n}", address=f"{NETWORK}.{n}", port=f"ts{own}p{n}") for n in range(1, count + 1)]
@@ -70,6 +82,4 @@ def network(count: int) -> Iterator[list[Host]]:
             subprocess.run(host.command("ip", "link", "set", "lo", "up"), check=True)
         yield hosts
     finally:
-        for host in hosts:
-            subprocess.run(["ip", "netns", "del", host.name], check=False, capture_output=True)
-        subprocess.run(["ip", "link", "del", bridge], check=False, capture_output=True)
+        _remove(own)
