@@ -187,14 +187,15 @@ def never_hear_the_end(story: Story) -> None:
     story.heard["ended"] = False
 
 
-def fall_silent(story: Story, *, noticed_s: float, swept: bool) -> None:
+def fall_silent(story: Story, *, noticed_s: float, swept: bool, stopped_s: float = 0.0) -> None:
     story.move(1, "succeeded", "queued")
     story.move(1, "queued", "running", token="new", worker="host:2")
     began = story.t
     story.add("fault", fault="kill_worker", began=began, silences="host:2")
     while swept and story.t < began + noticed_s:
         story.sweep()
-    story.lines.append({"t": began + noticed_s, "kind": "idle"})
+    stopped = {"kind": "fault", "fault": "stop_worker", "began": began + 1.0, "silences": "host:3"}
+    story.lines += [stopped | {"t": began + 1.0 + stopped_s}, {"t": began + noticed_s, "kind": "idle"}]
     story.move(1, "running", "queued", was_token="new")
     story.move(1, "queued", "running", token="newer", worker="host:1")
     story.end(1, token="newer")
@@ -203,6 +204,10 @@ def fall_silent(story: Story, *, noticed_s: float, swept: bool) -> None:
 
 def notice_late(story: Story) -> None:
     fall_silent(story, noticed_s=5.0, swept=True)
+
+
+def notice_later_than_locks_last(story: Story) -> None:
+    fall_silent(story, noticed_s=6.0, swept=True, stopped_s=4.0)
 
 
 def compute_twice(story: Story) -> None:
@@ -242,6 +247,7 @@ def store_wrong_peaks(story: Story) -> None:
         (miss_an_event, "followers_miss_nothing"),
         (never_hear_the_end, "followers_miss_nothing"),
         (notice_late, "silent_workers_are_noticed"),
+        (notice_later_than_locks_last, "silent_workers_are_noticed"),
         (compute_twice, "little_is_computed_twice"),
         (store_wrong_peaks, "stored_peaks_are_right"),
     ],
@@ -252,12 +258,12 @@ def test_a_violation_is_found(spoil: Callable[[Story], None], rule: str) -> None
     assert rule in broken(story.record)
 
 
-@pytest.mark.parametrize(("noticed_s", "swept"), [(2.4, True), (5.0, False)])
-def test_a_silent_worker_is_waited_for_as_long_as_its_lease_and_until_somebody_sweeps(
-    noticed_s: float, *, swept: bool
+@pytest.mark.parametrize(("noticed_s", "swept", "stopped_s"), [(2.4, True, 0), (5.0, False, 0), (5.0, True, 2.0)])
+def test_a_silent_worker_is_waited_for_as_long_as_its_lease_and_until_somebody_sweeps_or_gives_up_locks(
+    noticed_s: float, stopped_s: float, *, swept: bool
 ) -> None:
     story = Story()
-    fall_silent(story, noticed_s=noticed_s, swept=swept)
+    fall_silent(story, noticed_s=noticed_s, swept=swept, stopped_s=stopped_s)
     assert not check(story.record)["silent_workers_are_noticed"]
 
 

@@ -57,7 +57,7 @@ def test_of_many_workers_some_sweep(context: Context, submit: Submit, tmp_path: 
     with database.write() as session:
         for name in (*first[1:], last):
             presence.announce(session, name, 600.0)
-        presence.announce(session, first[0], 1.5)
+        presence.announce(session, first[0], 3.0)
         for name, sweeps in ((first[0], True), (first[-1], True), ("a host", False), (last, False)):
             assert presence.is_among_the_first(session, name, ON_DUTY) is sweeps
     sweeper = Sweeper(Settings(**settings.model_dump()))

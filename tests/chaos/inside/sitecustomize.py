@@ -32,6 +32,12 @@ def pause_if_asked(*_: object) -> None:
         time.sleep(SLOW_S)
 
 
+def replace(owner: Any, name: str, new: Any) -> None:
+    """Put something in the place of what must be there."""
+    getattr(owner, name)
+    setattr(owner, name, new)
+
+
 def wrap(
     owner: Any, name: str, before: Callable[[], None] = lambda: None, then: Callable[[], None] = lambda: None
 ) -> None:
@@ -102,7 +108,9 @@ def forget_tokens() -> None:
         columns = select(Case.id, Case.speed_kmh, Case.percentile)
         return {row.id: row for row in session.execute(columns.where(Case.id.in_([held.case_id for held in leases])))}
 
-    lease._change, success._lock = change, lock
+    replace(lease, "_change", change)
+    for module in (lease, success):
+        replace(module, "lock", lock)
 
 
 def prepare_supervisor() -> None:
@@ -111,10 +119,17 @@ def prepare_supervisor() -> None:
     supervisor.LONGEST_PAUSE_S = supervisor.FIRST_PAUSE_S  # a part that is killed often is not to blame here
 
 
-if PART == "serve":
-    prepare_supervisor()
-elif PART:
-    if PART == "worker" or os.environ["CHAOS_CLOCK"] == "clock":
-        prepare_clock()
-    prepare_disk()
-    prepare_api() if PART == "api" else prepare_worker()
+def prepare() -> None:
+    if PART == "serve":
+        prepare_supervisor()
+    elif PART:
+        if PART == "worker" or os.environ["CHAOS_CLOCK"] == "clock":
+            prepare_clock()
+        prepare_disk()
+        prepare_api() if PART == "api" else prepare_worker()
+
+
+try:
+    prepare()
+except Exception as error:  # after which Python would begin all the same, with nothing planted
+    raise SystemExit(f"nothing planted: {error!r}") from error
