@@ -5,11 +5,12 @@ import io
 import json
 import re
 import subprocess
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 
 from tests.e2e.conftest import SMALL, Served, served, study, tracksweep
 from tests.web.conftest import check_accessibility, check_stillness, new_context, opened
@@ -181,6 +182,25 @@ def test_studies_over_one_another(page: Page, ended: str, another: str) -> None:
     found = rows(page, "#table")
     alone = [row["mean"] for row in found if row["study"] == "One slab" and row["speed"] != "320"]
     assert alone == [row["mean"] for row in found if row["study"] == "Two speeds" and row["slab"] == "continuous"]
+
+
+LOADED_AND_ASKED = """() => {
+  const asked = performance.getEntriesByType("resource");
+  const of = (path) => asked.find(({ name }) => new URL(name).pathname.endsWith(path));
+  return [of("/studies.js").responseEnd, of("/v1/studies").startTime];
+}"""
+
+
+def test_nothing_is_asked_before_the_script_that_shows_it_is_there(page: Page, ended: str) -> None:
+    def late(route: Route) -> None:
+        time.sleep(0.5)
+        route.continue_()
+
+    page.route("**/studies.js", late)
+    page.goto("/")
+    expect(page.locator("#list tbody tr").first).to_be_visible()
+    loaded, asked = page.evaluate(LOADED_AND_ASKED)
+    assert loaded <= asked
 
 
 def test_the_queue_tells_who_works(page: Page, service: Served) -> None:

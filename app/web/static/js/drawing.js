@@ -58,7 +58,8 @@ export class Drawing {
     this.scale = ROOM / (1.5 * this.deflection("rail", this.wheels[0], this.wheels.map(() => this.load)));
     this.chunk = null;
     $("instant").max = window_s;
-    $("instant").addEventListener("input", () => this.show());
+    this.time = Number($("instant").value); // exactly: a frame goes on by less than a step of the slider
+    $("instant").addEventListener("input", () => this.show(Number($("instant").value)));
     $("play").addEventListener("click", () => this.play());
     new ResizeObserver(() => this.show()).observe($("drawing"));
     $("drawing-note").textContent = `Recorded: forces (arrows at the wheels; at rest ${quantity(this.load, "N")}), accelerations, and the dots under the first wheelset. Lines: how these forces would bend a continuous track at rest; histories hold no deflection elsewhere.`;
@@ -94,10 +95,10 @@ export class Drawing {
     }));
   }
 
-  async show() {
+  async show(time = this.time) {
+    this.time = time;
     if (this.busy) return (this.again = true);
     this.busy = true;
-    const time = Number($("instant").value);
     try {
       this.draw(time, await this.at(time));
     } catch (error) {
@@ -181,11 +182,11 @@ export class Drawing {
     $("play").setAttribute("aria-pressed", "true");
     let last = performance.now();
     const next = (now) => {
-      const time = Number($("instant").value) + (now - last) / 1000 / Number($("slowness").value);
+      const time = this.time + (now - last) / 1000 / Number($("slowness").value);
       if (!this.busy) {
         last = now;
-        $("instant").value = time >= this.window_s ? 0 : time;
-        this.show();
+        this.show(time >= this.window_s ? 0 : time);
+        $("instant").value = this.time;
       }
       this.frame = requestAnimationFrame(next);
     };

@@ -42,7 +42,7 @@ const head = () => {
   $("name").textContent = study.name;
   document.title = `${study.name} · TrackSweep`;
   show($("actions"), [html`<a class="button" href="${address("/studies/new", { like: id })}">Use as a template</a><a class="button" href="${address("/compare", { study: id })}">Compare</a>`, ...actions(study)]);
-  htmx.process($("actions"));
+  window.htmx?.process($("actions")); // which it does by itself when it comes later
 };
 
 const results = async () => {
