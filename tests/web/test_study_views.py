@@ -114,7 +114,9 @@ def test_files_are_downloaded(page: Page, ended: str) -> None:
 def test_the_requests_it_shows_give_what_it_shows(page: Page, ended: str, service: Served) -> None:
     page.goto(f"/studies/{ended}")
     page.get_by_text("The request behind this").click()
-    curl, python = page.locator("#request .asked").first.locator("pre").all_inner_texts()
+    shown = page.locator("#request .asked").first.locator("pre")
+    expect(shown.first).to_be_visible()
+    curl, python = shown.all_inner_texts()
     peaks = service.get("/v1/peaks", study_id=ended, **QUERY)
     answer = subprocess.run(
         ["bash", "-c", curl.replace("curl", "curl -s", 1)], capture_output=True, check=True, timeout=60
@@ -184,6 +186,16 @@ def test_studies_over_one_another(page: Page, ended: str, another: str) -> None:
     assert alone == [row["mean"] for row in found if row["study"] == "Two speeds" and row["slab"] == "continuous"]
 
 
+def test_what_is_the_same_stays_under_a_click_or_a_selection(page: Page, ended: str) -> None:
+    page.goto("/")
+    page.get_by_text("The request behind this").click()
+    page.evaluate("document.querySelector('#request pre').title = 'mine'")
+    for _ in range(2):  # the first of them may have been on its way
+        page.wait_for_event("requestfinished", lambda request: "/v1/studies?" in request.url)
+    page.wait_for_timeout(200)
+    assert page.locator("#request pre").first.get_attribute("title") == "mine"
+
+
 LOADED_AND_ASKED = """() => {
   const asked = performance.getEntriesByType("resource");
   const of = (path) => asked.find(({ name }) => new URL(name).pathname.endsWith(path));
@@ -213,6 +225,28 @@ def test_nothing_moves_while_a_view_is_filled(page: Page, ended: str, another: s
     comparison = f"compare?study={ended}&study={another}"
     for view, table in (("", "#list"), (f"studies/{ended}", "#table"), (comparison, "#table")):
         check_stillness(page, f"/{view}", f"{table} tbody tr")
+
+
+PLACES_OF_WHAT_IS_BELOW = """new Promise((done) => {
+  const places = new Set();
+  const look = () => {
+    const charts = document.querySelectorAll("#multiples .sheet canvas").length;
+    const request = document.getElementById("request");
+    if (charts && !request.hidden) places.add(request.offsetTop);
+    const all = charts === document.querySelectorAll("#multiples .sheet").length;
+    if (charts > 20 && all) done([charts, ...places]);
+    else requestAnimationFrame(look);
+  };
+  look();
+})"""
+
+
+def test_what_is_below_the_charts_stays_while_they_are_drawn(page: Page, ended: str) -> None:
+    page.goto(f"/studies/{ended}", wait_until="commit")
+    page.wait_for_function("document.getElementById('request')")
+    charts, *places = page.evaluate(PLACES_OF_WHAT_IS_BELOW)
+    assert charts > 20
+    assert len(places) == 1
 
 
 def test_no_view_stands_in_the_way_of_anybody(page: Page, ended: str, another: str) -> None:

@@ -19,6 +19,15 @@ const choose = (select, options, value) => {
   select.value = options.some(([key]) => key === value) ? value : options[0]?.[0] ?? "";
 };
 
+/** Room for a small chart. All get theirs at once, so that what is below them does not move while they are drawn. */
+const sheet = ({ info, position }) => {
+  const made = document.createElement("section");
+  made.className = "sheet";
+  const { name: unit } = shownUnit(info.unit);
+  show(made, html`<h3 class="one-line"><button type="button" class="plain" data-quantity="${info.name}" title="${info.title}">${info.title}</button> <small>${unit}${info.positions.length > 1 && ` · ${words(position)}`}</small></h3><div id="small-${info.name}"></div>`);
+  return made;
+};
+
 /** What the reader looks at; it is kept in the address, so that it can be sent to others. */
 export class Panel {
   /** `changed()` is called when other numbers are wanted. */
@@ -81,21 +90,18 @@ export class Panel {
       this.chart = this.chart?.remove();
       show($("curve"), html`<p class="empty">Nothing varies here: the number is in the table.</p>`);
     } // else its numbers are asked for: the chart stays until they are there
-    this.small(this.some ? [] : quantities.map((info) => ({ info, position: [...there.get(info.name)][0], axis })));
+    const small = this.some || !axis ? [] : quantities.map((info) => ({ info, position: [...there.get(info.name)][0], axis }));
+    $("multiples").append(...small.filter(({ info }) => !$(`small-${info.name}`)).map(sheet));
+    this.small(small);
   }
 
   drawSmall({ info, position, axis }) {
-    const spec = axis && curves(info, position, this.summaries, axis, this.axes);
-    if (!spec) return;
     const id = `small-${info.name}`;
-    if (!$(id)) {
-      const sheet = document.createElement("section");
-      sheet.className = "sheet";
-      const { name: unit } = shownUnit(info.unit);
-      show(sheet, html`<h3 class="one-line"><button type="button" class="plain" data-quantity="${info.name}" title="${info.title}">${info.title}</button> <small>${unit}${info.positions.length > 1 && ` · ${words(position)}`}</small></h3><div id="${id}"></div>`);
-      $("multiples").append(sheet);
-    }
-    this.charts.set(id, this.drawn(this.charts.get(id), $(id), { ...spec, y: { label: "" }, height: 190, legend: false }));
+    const spec = curves(info, position, this.summaries, axis, this.axes);
+    if (spec) return this.charts.set(id, this.drawn(this.charts.get(id), $(id), { ...spec, y: { label: "" }, height: 190, legend: false }));
+    this.charts.get(id)?.remove();
+    this.charts.delete(id);
+    show($(id), html`<p class="empty">Nothing varies here.</p>`);
   }
 
   /** Draws again only what is another. */

@@ -45,6 +45,8 @@ with connect(${python(service())}) as client:
     answer = ${name}.sync(${[...given, "client=client"].join(", ")})`;
 };
 
+const shown = new WeakMap(); // by element: what is the same stays, under a click or a selection
+
 const service = () => String(address("/")).replace(/\/$/, "");
 
 /**
@@ -53,11 +55,12 @@ const service = () => String(address("/")).replace(/\/$/, "");
  */
 export const showRequests = (element, requests) => {
   if (element.contains(document.activeElement) && document.activeElement.localName === "button") return;
-  const open = element.open;
-  show(element, html`<summary>The request behind this</summary>${requests.map((asked) => html`<div class="asked">
+  if (!element.firstChild) show(element, html`<summary>The request behind this</summary><div></div>`);
+  const made = html`${requests.map((asked) => html`<div class="asked">
     <h3>${asked.operation.split(".")[1]}</h3>
-    ${code("curl", asCurl(asked))}${code("Python", asPython(asked))}</div>`)}`);
-  element.open = open;
+    ${code("curl", asCurl(asked))}${code("Python", asPython(asked))}</div>`)}`;
+  if (String(made) !== shown.get(element)) show(element.lastChild, made);
+  shown.set(element, String(made));
   element.hidden = false;
 };
 
