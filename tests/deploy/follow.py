@@ -1,12 +1,16 @@
 """Follow docs/deploy.md, line by line, on two empty machines: ``python -m tests.deploy.follow FOLDER [--site FILES]``.
 
-The machines are User-Mode Linux: kernels of their own that run as processes, boot systemd and mount each other's disks.
-It takes root, half an hour, 10 GB and, from Debian, ``debootstrap user-mode-linux nftables ethtool``. ``FOLDER`` keeps
-their disks, what they print (``first.console``) and what was typed and answered (``transcript.md``). ``FILES`` is a
-tree laid over an empty machine: what it takes to reach packages where you are. The sources are the last commit's.
+The machines are QEMU's, each with Debian's own kernel. It takes root, 10 GB and, from Debian, ``debootstrap nftables
+qemu-system-x86``. ``FOLDER`` keeps their disks, what they print (``first.console``) and what was typed and answered
+(``transcript.md``). ``FILES`` is a tree laid over an empty machine: what it takes to reach packages where you are. The
+sources are the last commit's.
+
+Their processors are emulated, where the guide's study would take hours: its cases are made small. With ``--accelerator
+kvm`` nothing is emulated, and the study is the guide's own.
 """
 
 import argparse
+import json
 import os
 import re
 import shlex
@@ -22,8 +26,9 @@ from pathlib import Path
 from tests.deploy.test_document import BLOCKS, ROOT
 
 NETWORK, OURS = "10.78.0", "10.78.0.254"
-MODULES = Path("/usr/lib/uml/modules")
-PATIENCE_S = 1800  # installing, and compiling the solver
+KERNEL = "linux-image-cloud-amd64"
+SMALL = {"track_length_m": 90, "elements_per_pad": 4, "settle_s": 0.3, "window_s": 0.2}
+PATIENCE_S = 3600  # installing, and compiling the solver
 CONSOLE = f"""[Unit]
 After=network.target
 [Service]
@@ -34,9 +39,9 @@ Restart=always
 RestartSec=1
 StartLimitIntervalSec=0
 """
-INTERFACES = f"""auto lo vec0
+INTERFACES = f"""auto lo eth0
 iface lo inet loopback
-iface vec0 inet static
+iface eth0 inet static
     address {NETWORK}.%d/24
     gateway {OURS}
 """
@@ -56,7 +61,7 @@ class Machine:
         self._server = socket.create_server((OURS, 7000 + number))
         self._server.settimeout(PATIENCE_S)
 
-    def install(self, empty: Path) -> None:
+    def install(self, empty: Path, accelerator: str) -> None:
         """Give it a disk with nothing but the base system, and the sources."""
         tree = self.folder / self.name
         subprocess.run(["cp", "-a", empty, tree], check=True)
@@ -70,25 +75,26 @@ class Machine:
         sources.mkdir()
         with subprocess.Popen(["git", "archive", "HEAD"], cwd=ROOT, stdout=subprocess.PIPE) as archive:
             subprocess.run(["tar", "--extract", "--directory", sources], stdin=archive.stdout, check=True)
+        if accelerator == "tcg":
+            study = sources / "examples/speed_sweep.json"
+            study.write_text(json.dumps(json.loads(study.read_text()) | {"numerics": SMALL}))
         disk = self.folder / f"{self.name}.ext4"
         disk.unlink(missing_ok=True)
         os.truncate(os.open(disk, os.O_CREAT | os.O_WRONLY), 8 << 30)
         run(f"mkfs.ext4 -q -F -d {tree} {disk}")
         shutil.rmtree(tree)
 
-    def boot(self) -> None:
-        cable = f"transport=tap,ifname=followed{self.number},depth=64,mac=02:00:00:00:00:0{self.number}"
+    def boot(self, empty: Path, accelerator: str) -> None:
+        kernel, initrd = (next(empty.glob(f"boot/{name}-*")) for name in ("vmlinuz", "initrd.img"))
         disk = self.folder / f"{self.name}.ext4"
-        command = f"linux.uml mem=3G ubd0={disk} root=/dev/ubda rw vec0:{cable} con0=null,fd:1 con=null ssl=null"
-        with (self.folder / f"{self.name}.console").open("ab") as console:
-            self._process = subprocess.Popen(
-                shlex.split(command),
-                env=os.environ | {"TMPDIR": "/dev/shm"},  # its memory
-                stdin=subprocess.DEVNULL,
-                stdout=console,
-                stderr=console,
-                start_new_session=True,
-            )
+        command = (
+            f"qemu-system-x86_64 -accel {accelerator} -cpu max -m 3G -display none"
+            f" -kernel {kernel} -initrd {initrd} -append 'root=/dev/vda rw console=ttyS0 net.ifnames=0'"
+            f" -serial file:{self.folder / self.name}.console -drive file={disk},format=raw,if=virtio"
+            f" -netdev tap,id=cable,ifname=followed{self.number},script=no,downscript=no"
+            f" -device virtio-net-pci,netdev=cable,mac=02:00:00:00:00:0{self.number}"
+        )
+        self._process = subprocess.Popen(shlex.split(command), stdin=subprocess.DEVNULL, start_new_session=True)
         connection, _ = self._server.accept()
         connection.settimeout(PATIENCE_S)
         self._shell = connection.makefile("rwb", buffering=0)
@@ -123,7 +129,6 @@ def network(stack: ExitStack) -> None:
         run(f"ip tuntap add followed{number} mode tap")
         stack.callback(run, f"ip tuntap del followed{number} mode tap")
         run(f"ip link set followed{number} master followed up")
-        run(f"ethtool -K followed{number} tx off sg off tso off gso off gro off")  # or it comes in pieces too large
     run("sysctl -q net.ipv4.ip_forward=1")
     run("nft add table ip followed")
     stack.callback(run, "nft delete table ip followed")
@@ -135,9 +140,8 @@ def debian(folder: Path, site: Path | None) -> Path:
     """A tree of Debian's base system, and of the files that belong to the place."""
     tree = folder / "debian"
     if not tree.exists():
-        run(f"debootstrap --include=ca-certificates bookworm {folder / 'unfinished'}")
+        run(f"debootstrap --include=ca-certificates,{KERNEL} bookworm {folder / 'unfinished'}")
         (folder / "unfinished").rename(tree)
-    shutil.copytree(MODULES, tree / "lib/modules", dirs_exist_ok=True)
     shutil.copy("/etc/resolv.conf", tree / "etc/resolv.conf")
     if site:
         shutil.copytree(site, tree, dirs_exist_ok=True)
@@ -154,6 +158,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=lambda name: Path(name).resolve())
     parser.add_argument("--site", type=Path)
+    parser.add_argument("--accelerator", choices=("tcg", "kvm"), default="tcg")
     asked = parser.parse_args()
     asked.folder.mkdir(exist_ok=True)
     with ExitStack() as stack:
@@ -161,8 +166,8 @@ def main() -> None:
         first, second = machines = [Machine(name, n, asked.folder) for n, name in enumerate(("first", "second"), 1)]
         empty = debian(asked.folder, asked.site)
         for machine in machines:
-            machine.install(empty)
-            machine.boot()
+            machine.install(empty, asked.accelerator)
+            machine.boot(empty, asked.accelerator)
             stack.callback(machine.shut_down)
         where = {"both": machines, "first": [first], "second": [second], "anywhere": [second], "upgrade": machines}
         values = {"FIRST": first.address, "SECOND": second.address}
