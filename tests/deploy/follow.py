@@ -5,8 +5,8 @@ qemu-system-x86``. ``FOLDER`` keeps their disks, what they print (``first.consol
 (``transcript.md``). ``FILES`` is a tree laid over an empty machine: what it takes to reach packages where you are. The
 sources are the last commit's.
 
-Their processors are emulated, where the guide's study would take hours: its cases are made small. With ``--accelerator
-kvm`` nothing is emulated, and the study is the guide's own.
+Their processors are emulated. That takes half an hour, as the cases of the guide's study, which would take hours, are
+made small. With ``--accelerator kvm`` nothing is emulated, and the study is the guide's own.
 """
 
 import argparse
