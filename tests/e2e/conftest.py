@@ -20,6 +20,7 @@ from solver.warm import warm
 T = TypeVar("T")
 PROGRAM = [sys.executable, "-m", "worker.cli"]
 SMALL = {"track_length_m": 90, "elements_per_pad": 4, "settle_s": 0.3, "window_s": 0.2}
+SECONDS_LONG = 30.0  # s, a window for tests that meet a case half done: it takes more than five even on a fast machine
 
 
 def until(condition: Callable[[], T], timeout_s: float = 60) -> T:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.e2e.conftest import Served, served, study, until
+from tests.e2e.conftest import SECONDS_LONG, Served, served, study, until
 
 
 @pytest.fixture
@@ -28,7 +28,9 @@ def stored(data: Path) -> dict[str, list[Any]]:
 
 def test_cancelled_studies_end_at_once_and_nothing_is_written_of_them_later(service: Served) -> None:
     """Nineteen of twenty within two seconds: where a promise is a time, a test has to look at the clock."""
-    studies = [service.submit(study(speed, window_s=30) | {"keep_history": True}) for speed in range(200, 400, 10)]
+    studies = [
+        service.submit(study(speed, window_s=SECONDS_LONG) | {"keep_history": True}) for speed in range(200, 400, 10)
+    ]
     took = []
     for number, study_id in enumerate(studies):
         if number % 5 == 0:  # the worker has moved on to it

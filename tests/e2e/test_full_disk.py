@@ -54,7 +54,7 @@ def test_a_full_disk_loses_nothing(service: OnSmallDisk) -> None:
         answer = service.http.post("/v1/profiles", content=profile, headers={"Content-Type": "text/csv"})
         return answer.status_code, answer.json().get("code", "")
 
-    study_id = service.submit(study(300, window_s=9) | {"keep_history": True})
+    study_id = service.submit(study(300, window_s=18) | {"keep_history": True})
     until(lambda: service.cases(study_id)[0]["progress"] > 0)
     service.fill()
     full_since = time.monotonic()

@@ -11,7 +11,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from tests.e2e.conftest import SMALL, Served, study, tracksweep
+from tests.e2e.conftest import SECONDS_LONG, SMALL, Served, study, tracksweep
 
 CASE = {
     "speed_kmh": 300,
@@ -91,7 +91,7 @@ def test_submit_watch_peaks(service: Served, on: dict[str, str], tmp_path: Path)
 
 
 def test_cancel_and_retry(service: Served, on: dict[str, str], tmp_path: Path) -> None:
-    study_id = service.submit(study(300, window_s=20.5))
+    study_id = service.submit(study(300, window_s=2 * SECONDS_LONG))
     done = tracksweep("cancel", study_id, **on)
     assert (done.returncode, done.stdout) == (0, "cancelled\n"), done.stderr
     assert tracksweep("watch", study_id, **on).returncode == 1

@@ -11,7 +11,7 @@ import httpx
 import psutil
 import pytest
 
-from tests.e2e.conftest import PROGRAM, Served, gone, served, study, tracksweep, until
+from tests.e2e.conftest import PROGRAM, SECONDS_LONG, Served, gone, served, study, tracksweep, until
 
 
 def test_a_study_over_http_ends_with_its_peaks(service: Served) -> None:
@@ -28,7 +28,7 @@ def test_a_study_over_http_ends_with_its_peaks(service: Served) -> None:
 
 
 def test_a_case_whose_worker_is_killed_is_solved_again_once(service: Served) -> None:
-    study_id = service.submit(study(300, window_s=3))
+    study_id = service.submit(study(300, window_s=SECONDS_LONG))
     until(lambda: service.cases(study_id)[0]["progress"] > 0)
     (worker,) = service.parts("worker")
     worker.kill()
@@ -88,7 +88,7 @@ def test_a_study_posted_while_no_worker_runs_is_solved_when_one_starts(tmp_path:
 
 def test_a_study_survives_the_whole_service_killed(tmp_path: Path) -> None:
     with served(tmp_path / "data", "--workers", "1") as before:
-        study_id = before.submit(study(300, window_s=3))
+        study_id = before.submit(study(300, window_s=SECONDS_LONG))
         until(lambda: before.cases(study_id)[0]["progress"] > 0)
         parts = before.supervisor.children(recursive=True)
         before.process.send_signal(signal.SIGKILL)
@@ -111,7 +111,7 @@ def test_workers_stand_back_for_other_processes(tmp_path: Path) -> None:
 
 def test_ctrl_c_ends_every_process_and_puts_back_the_case_at_hand(tmp_path: Path) -> None:
     with served(tmp_path / "data", "--workers", "1") as service:
-        study_id = service.submit(study(300, window_s=30))
+        study_id = service.submit(study(300, window_s=SECONDS_LONG))
         until(lambda: service.cases(study_id)[0]["progress"] > 0)
         parts = service.supervisor.children(recursive=True)
         assert len(parts) >= 3

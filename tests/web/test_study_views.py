@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
-from tests.e2e.conftest import SMALL, Served, served, study, tracksweep
+from tests.e2e.conftest import SECONDS_LONG, SMALL, Served, served, study, tracksweep
 from tests.web.conftest import check_accessibility, check_stillness, new_context, opened
 
 QUERY = {"quantity": "wheel_rail_force", "position": "wheelset_1"}
@@ -131,7 +131,7 @@ def test_the_requests_it_shows_give_what_it_shows(page: Page, ended: str, servic
 def unwanted(service: Served) -> Iterator[str]:
     """A study that takes long, whose worker is set free whatever becomes of it."""
     body = sweep("Never mind", 200, slabs=("continuous",))
-    study_id = service.submit(body | {"numerics": SMALL | {"window_s": 30}})
+    study_id = service.submit(body | {"numerics": SMALL | {"window_s": 2 * SECONDS_LONG}})
     yield study_id
     service.http.post(f"/v1/studies/{study_id}/cancel")
 

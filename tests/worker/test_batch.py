@@ -20,7 +20,7 @@ from worker.claim import claim
 from worker.compute import Worker
 
 Submit = Callable[..., StudyDetail]
-LONG = QUICK | {"time_step_s": 1e-4, "window_s": 10.0}  # seconds
+LONG = QUICK | {"time_step_s": 1e-4, "window_s": 16.0}  # seconds
 FOR_EVER = {"settle_s": 20.0, "window_s": 60.0}
 THREE = [0.1, 0.2, 0.3]
 

@@ -139,7 +139,7 @@ def test_workers_hear_bells_and_survive_a_broker_that_crashes(
 
     # Both listen again.
     assert all(process.poll() is None for process in processes.running)
-    after = [submit(speed, numerics=SECONDS_LONG | {"window_s": 20.0}) for speed in (220, 230)]
+    after = [submit(speed, numerics=SECONDS_LONG) for speed in (220, 230)]
     until(lambda: [state(context, study) for study in after] == ["running"] * 2)
     until(lambda: {state(context, study) for study in after} == {"succeeded"})
 
