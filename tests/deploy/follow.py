@@ -24,10 +24,10 @@ from functools import partial
 from pathlib import Path
 
 from tests.deploy.test_document import BLOCKS, ROOT
+from tests.e2e.conftest import SMALL
 
 NETWORK, OURS = "10.78.0", "10.78.0.254"
 KERNEL = "linux-image-cloud-amd64"
-SMALL = {"track_length_m": 90, "elements_per_pad": 4, "settle_s": 0.3, "window_s": 0.2}
 PATIENCE_S = 3600  # installing, and compiling the solver
 CONSOLE = f"""[Unit]
 After=network.target

@@ -27,6 +27,8 @@ QUICK = {
     "settle_s": 0.3,
     "window_s": 0.05,
 }
+# For tests that meet a case half done: more than three seconds even on a fast machine.
+SECONDS_LONG = QUICK | {"time_step_s": 1e-4, "window_s": 30.0}
 SLOW = QUICK | {"window_s": 60.0, "settle_s": 20.0, "time_step_s": 1e-4}
 
 Submit = Callable[..., StudyDetail]

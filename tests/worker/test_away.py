@@ -24,9 +24,8 @@ from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail
 from tests.app.conftest import problem, serving
-from tests.worker.conftest import QUICK, Processes, Submit
+from tests.worker.conftest import SECONDS_LONG, Processes, Submit
 
-SECONDS_LONG = QUICK | {"time_step_s": 1e-4, "window_s": 16.0}
 LEASE_S = 2.0
 
 T = TypeVar("T")
@@ -136,7 +135,7 @@ def test_the_database_is_away(
 
 
 def test_the_broker_is_away(context: Context, submit: Submit, worker: subprocess.Popen[bytes], broker: Broker) -> None:
-    running = submit(320, numerics=SECONDS_LONG | {"window_s": 32.0})
+    running = submit(320, numerics=SECONDS_LONG)
     until(lambda: look(context, running).progress > 0)
     context.doorbell.ring()
     until(lambda: look(context, running).progress > 0.5)

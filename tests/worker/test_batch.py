@@ -15,12 +15,11 @@ from app.studies.schemas import StudyDetail
 from solver import case as solver_case
 from solver.peaks import peaks
 from solver.simulate import Response, solve
-from tests.worker.conftest import QUICK
+from tests.worker.conftest import SECONDS_LONG
 from worker.claim import claim
 from worker.compute import Worker
 
 Submit = Callable[..., StudyDetail]
-LONG = QUICK | {"time_step_s": 1e-4, "window_s": 16.0}  # seconds
 FOR_EVER = {"settle_s": 20.0, "window_s": 60.0}
 THREE = [0.1, 0.2, 0.3]
 
@@ -128,7 +127,7 @@ def test_an_outcome_that_cannot_be_written_touches_no_other(context: Context, su
 def test_a_case_taken_away_leaves_its_neighbours(
     context: Context, submit: Submit, in_background: threading.Thread, taken: dict[str, Any]
 ) -> None:
-    submit(300, amplitudes=THREE, numerics=LONG)
+    submit(300, amplitudes=THREE, numerics=SECONDS_LONG)
     in_background.start()
     until(lambda: all(row.progress > 0 for row in rows(context)))
     one = rows(context)[0]

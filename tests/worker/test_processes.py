@@ -20,16 +20,8 @@ from app.storage import HistoryStore
 from app.studies import service
 from app.studies.schemas import StudyDetail
 from tests.app.conftest import serving
+from tests.worker.conftest import SECONDS_LONG
 from worker import presence, verification
-
-SECONDS_LONG = {
-    "track_length_m": 90.0,
-    "absorbing_length_m": 10.0,
-    "elements_per_pad": 2,
-    "time_step_s": 1e-4,
-    "settle_s": 0.3,
-    "window_s": 30.0,  # more than three seconds even on a fast machine
-}
 
 T = TypeVar("T")
 

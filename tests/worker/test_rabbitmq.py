@@ -20,7 +20,8 @@ from app.settings import Settings
 from app.storage import HistoryStore
 from app.studies.schemas import StudyDetail
 from tests.conftest import free_port
-from tests.worker.test_processes import SECONDS_LONG, state, there, until
+from tests.worker.conftest import SECONDS_LONG
+from tests.worker.test_processes import state, there, until
 
 pytestmark = [pytest.mark.slow, pytest.mark.parametrize("database_url", ["sqlite"], indirect=True)]
 

@@ -17,6 +17,15 @@ export const show = (element, made) => {
   element.innerHTML = written(made);
 };
 
+const shown = new WeakMap(); // what was put into elements by renew()
+
+/** As show(), but what is the same stays, under a click or a selection. */
+export const renew = (element, made) => {
+  const text = written(made);
+  if (shown.get(element) !== text) element.innerHTML = text;
+  shown.set(element, text);
+};
+
 /** The element of an id. */
 export const $ = (id) => document.getElementById(id);
 

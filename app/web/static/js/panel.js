@@ -2,20 +2,17 @@
 
 import { Chart } from "./chart.js";
 import { quantity, shownUnit, words } from "./format.js";
-import { $, html, inTurns, show } from "./html.js";
+import { $, html, inTurns, renew, show } from "./html.js";
 import { notify } from "./page.js";
 import { saveChart } from "./svg.js";
 import { axesOf, curves, firstAxis, heading } from "./sweep.js";
 
 const CHOICES = ["quantity", "position", "axis", "statistic"];
+const SMALL_PX = 190; // how high small charts are
 const BAND = "Lines: median of the realisations; bands, outlined where the line is dashed: from their 5th to their 95th percentile.";
 
 const choose = (select, options, value) => {
-  const made = String(html`${options.map(([key, label]) => html`<option value="${key}">${label}</option>`)}`);
-  if (select.dataset.made !== made) {
-    show(select, options.map(([key, label]) => html`<option value="${key}">${label}</option>`));
-    select.dataset.made = made;
-  }
+  renew(select, options.map(([key, label]) => html`<option value="${key}">${label}</option>`));
   select.value = options.some(([key]) => key === value) ? value : options[0]?.[0] ?? "";
 };
 
@@ -25,6 +22,7 @@ const sheet = ({ info, position }) => {
   made.className = "sheet";
   const { name: unit } = shownUnit(info.unit);
   show(made, html`<h3 class="one-line"><button type="button" class="plain" data-quantity="${info.name}" title="${info.title}">${info.title}</button> <small>${unit}${info.positions.length > 1 && ` · ${words(position)}`}</small></h3><div id="small-${info.name}"></div>`);
+  made.lastChild.style.minHeight = `${SMALL_PX}px`;
   return made;
 };
 
@@ -98,7 +96,7 @@ export class Panel {
   drawSmall({ info, position, axis }) {
     const id = `small-${info.name}`;
     const spec = curves(info, position, this.summaries, axis, this.axes);
-    if (spec) return this.charts.set(id, this.drawn(this.charts.get(id), $(id), { ...spec, y: { label: "" }, height: 190, legend: false }));
+    if (spec) return this.charts.set(id, this.drawn(this.charts.get(id), $(id), { ...spec, y: { label: "" }, height: SMALL_PX, legend: false }));
     this.charts.get(id)?.remove();
     this.charts.delete(id);
     show($(id), html`<p class="empty">Nothing varies here.</p>`);

@@ -1,7 +1,7 @@
 // "The request that made this": what a view asked the API, as curl and as Python, to be copied.
 
 import { address } from "./api.js";
-import { html, show } from "./html.js";
+import { html, renew, show } from "./html.js";
 
 const quoted = (text) => `'${text.replaceAll("'", `'\\''`)}'`;
 
@@ -45,8 +45,6 @@ with connect(${python(service())}) as client:
     answer = ${name}.sync(${[...given, "client=client"].join(", ")})`;
 };
 
-const shown = new WeakMap(); // by element: what is the same stays, under a click or a selection
-
 const service = () => String(address("/")).replace(/\/$/, "");
 
 /**
@@ -56,11 +54,9 @@ const service = () => String(address("/")).replace(/\/$/, "");
 export const showRequests = (element, requests) => {
   if (element.contains(document.activeElement) && document.activeElement.localName === "button") return;
   if (!element.firstChild) show(element, html`<summary>The request behind this</summary><div></div>`);
-  const made = html`${requests.map((asked) => html`<div class="asked">
+  renew(element.lastChild, requests.map((asked) => html`<div class="asked">
     <h3>${asked.operation.split(".")[1]}</h3>
-    ${code("curl", asCurl(asked))}${code("Python", asPython(asked))}</div>`)}`;
-  if (String(made) !== shown.get(element)) show(element.lastChild, made);
-  shown.set(element, String(made));
+    ${code("curl", asCurl(asked))}${code("Python", asPython(asked))}</div>`));
   element.hidden = false;
 };
 
